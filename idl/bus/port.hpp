@@ -1,0 +1,41 @@
+// The two ends of the bus, over any carrier: what an agent and what the world can send and take.
+//
+// A port carries wire structs and knows nothing of their meaning. Over DDS one process owns one port
+// (idl/bus/dds_port.hpp); in one process the in-memory bus hands out ports that exchange the same structs
+// (idl/bus/memory_bus.hpp). Order holds within a topic and sender, never across topics.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "idl/wire.hpp"
+
+namespace skein::bus {
+
+using AgentInbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative>;
+using AgentOutbound = std::variant<wire::Representative, wire::Beacon>;
+using WorldInbound = std::variant<wire::Beacon, wire::Representative>;
+using WorldOutbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative>;
+
+class AgentPort {
+ public:
+  virtual ~AgentPort() = default;
+  virtual void publish(const AgentOutbound& sample) = 0;
+  /// Moves everything that has arrived to the end of `into`; returns at once.
+  virtual void take(std::vector<AgentInbound>& into) = 0;
+  /// Nonces, ascending, of the processes (world and agents) whose endpoints are all matched with this port's.
+  [[nodiscard]] virtual std::vector<std::uint64_t> matched() const = 0;
+};
+
+class WorldPort {
+ public:
+  virtual ~WorldPort() = default;
+  virtual void publish(const WorldOutbound& sample) = 0;
+  /// Moves everything that has arrived to the end of `into`; returns at once.
+  virtual void take(std::vector<WorldInbound>& into) = 0;
+  /// Nonces, ascending, of the agents whose endpoints are all matched with this port's.
+  [[nodiscard]] virtual std::vector<std::uint64_t> matched() const = 0;
+};
+
+}  // namespace skein::bus

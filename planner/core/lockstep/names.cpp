@@ -1,0 +1,47 @@
+#include "planner/core/lockstep/names.hpp"
+
+#include <array>
+
+namespace skein {
+namespace {
+
+constexpr std::array<std::string_view, 4> kPhases{"waiting", "planning", "flying", "finished"};
+constexpr std::array<std::string_view, 7> kModes{"waiting", "planning", "ready",  "failed",
+                                                 "flying",  "arrived",  "leaving"};
+constexpr std::array<std::string_view, 6> kConstraints{"none",   "curvature",  "obstacle",
+                                                       "no_fly", "separation", "length"};
+constexpr std::array<std::string_view, 4> kRefusals{"", "id_in_use", "unknown_id", "run_started"};
+constexpr std::array<std::string_view, 4> kLosses{"none", "process_ended", "deadline", "left"};
+
+template <typename Enum, std::size_t N>
+std::string_view look_up(const std::array<std::string_view, N>& names, Enum value) {
+  const auto index = static_cast<std::size_t>(value);
+  return index < N ? names[index] : std::string_view("unknown");
+}
+
+}  // namespace
+
+std::string_view name_of(Phase phase) {
+  return look_up(kPhases, phase);
+}
+std::string_view name_of(AgentMode mode) {
+  return look_up(kModes, mode);
+}
+std::string_view name_of(Constraint constraint) {
+  return look_up(kConstraints, constraint);
+}
+std::string_view name_of(RefusalReason reason) {
+  return look_up(kRefusals, reason);
+}
+std::string_view name_of(LossReason reason) {
+  return look_up(kLosses, reason);
+}
+
+std::optional<LossReason> loss_reason_from(std::string_view name) {
+  for (std::size_t i = 0; i < kLosses.size(); ++i) {
+    if (kLosses[i] == name) return static_cast<LossReason>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace skein

@@ -1,0 +1,18 @@
+// The words that reports, logs and command lines use for the protocol's enumerations; each maps both ways.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "planner/core/lockstep/samples.hpp"
+
+namespace skein {
+
+[[nodiscard]] std::string_view name_of(Phase phase);
+[[nodiscard]] std::string_view name_of(AgentMode mode);
+[[nodiscard]] std::string_view name_of(Constraint constraint);
+[[nodiscard]] std::string_view name_of(RefusalReason reason);
+[[nodiscard]] std::string_view name_of(LossReason reason);
+[[nodiscard]] std::optional<LossReason> loss_reason_from(std::string_view name);
+
+}  // namespace skein

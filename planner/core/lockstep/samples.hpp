@@ -1,0 +1,153 @@
+// The samples of the lockstep protocol as plain values: what world and agents say to each other in a round.
+//
+// The world opens a round with a Tick; an agent answers with the samples it composed and closes with its Beacon
+// (docs/architecture.md, 'Steps and rounds'). The wire structs of idl/ carry the same content; idl/convert maps and
+// checks. Rounds count from 1 over the whole run; round 0 is the waiting phase, outside rounds and hash.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planner/core/geometry/types.hpp"
+#include "planner/core/mission/mission.hpp"
+
+namespace skein {
+
+enum class Phase : std::uint8_t { Waiting = 0, Planning = 1, Flying = 2, Finished = 3 };
+
+/// What an agent does, as its beacon says.
+enum class AgentMode : std::uint8_t {
+  Waiting = 0,   ///< not admitted yet
+  Planning = 1,  ///< in planning rounds
+  Ready = 2,     ///< the whole swarm has a feasible set of paths
+  Failed = 3,    ///< planning ended without a feasible set; the beacon's constraint says which one fails
+  Flying = 4,    ///< follows its path
+  Arrived = 5,   ///< its path is flown to the end
+  Leaving = 6,   ///< says goodbye: it was asked to end
+};
+
+/// The constraint that a plan violates, in the order in which they are named.
+enum class Constraint : std::uint8_t {
+  None = 0,
+  Curvature = 1,   ///< Eq. 12
+  Obstacle = 2,    ///< J_obsc of Eq. 11
+  NoFly = 3,       ///< J_nofly of Eq. 11
+  Separation = 4,  ///< Eq. 15, 17
+  Length = 5,      ///< Eq. 16: the common length cannot be reached
+};
+
+enum class RefusalReason : std::uint8_t { IdInUse = 1, UnknownId = 2, RunStarted = 3 };
+
+/// Why an agent left the roster.
+enum class LossReason : std::uint8_t { None = 0, ProcessEnded = 1, Deadline = 2, Left = 3 };
+
+/// A live agent, and how many samples (0 or 1 a topic) of the round before count.
+struct RosterEntry {
+  AgentId agent = 0;
+  std::uint32_t incarnation = 0;
+  std::uint64_t nonce = 0;
+  bool representative = false;  ///< its representative of the round before counts
+  bool sense = false;           ///< the world sends it a sense sample with this tick
+
+  bool operator==(const RosterEntry&) const = default;
+};
+
+struct Refusal {
+  std::uint64_t nonce = 0;
+  RefusalReason reason = RefusalReason::IdInUse;
+
+  bool operator==(const Refusal&) const = default;
+};
+
+struct Tick {
+  std::uint64_t run = 0;
+  std::uint32_t step = 0;  ///< flight steps done; 0 while the swarm plans on the ground
+  std::uint32_t round = 0;
+  Phase phase = Phase::Waiting;
+  double time_s = 0.0;
+  std::vector<RosterEntry> roster;  ///< by ascending id
+  std::vector<Refusal> refused;
+  std::uint64_t world_hash = 0;  ///< H of the round before
+
+  bool operator==(const Tick&) const = default;
+};
+
+/// What one agent's own sensors tell it.
+struct Sense {
+  std::uint64_t run = 0;
+  AgentId agent = 0;
+  std::uint32_t incarnation = 0;
+  std::uint32_t round = 0;
+  Pose pose;
+  Vec3 velocity_mps = Vec3::Zero();
+
+  bool operator==(const Sense&) const = default;
+};
+
+/// How far a sub-swarm's plan is.
+enum class PlanStage : std::uint8_t {
+  Searching = 1,  ///< generations of the sub-swarm
+  Aligning = 2,   ///< moving to the common length
+  Settled = 3,    ///< at the common length, clear of every peer
+};
+
+/// The representative particle of a sub-swarm: the DCPSO exchange (papers/001, section 3.2.4).
+struct Representative {
+  std::uint64_t run = 0;
+  AgentId agent = 0;
+  std::uint32_t incarnation = 0;
+  std::uint32_t round = 0;
+  PlanStage stage = PlanStage::Searching;
+  Constraint violated = Constraint::None;  ///< the first own constraint that the particle violates
+  std::vector<double> particle;            ///< (m0, m1) in metres
+  double cost = 0.0;                       ///< modified cost (1 / f' of Eq. 14), in length units
+  double own_length_m = 0.0;               ///< length of the particle that is best by its own fitness (Eq. 11)
+  double path_length_m = 0.0;              ///< length of `particle`
+
+  bool operator==(const Representative&) const = default;
+};
+
+/// A sample that an agent still lacks for the open tick.
+struct Need {
+  AgentId agent = 0;
+  std::uint32_t round = 0;
+
+  bool operator==(const Need&) const = default;
+};
+
+struct Beacon {
+  std::uint64_t run = 0;
+  AgentId agent = 0;
+  std::uint32_t incarnation = 0;  ///< 0: introduces itself
+  std::uint64_t nonce = 0;
+  std::uint32_t step = 0;
+  std::uint32_t round = 0;
+  bool closes_round = false;           ///< false: an open beacon, an introduction or a list of needs
+  bool representative = false;         ///< a representative of this round goes with it
+  std::vector<std::uint64_t> matched;  ///< nonces of the processes whose endpoints are matched with its own
+  std::vector<Need> needs;
+  AgentMode mode = AgentMode::Waiting;
+  Constraint constraint = Constraint::None;  ///< with mode Failed: the constraint that fails
+  AgentId constraint_peer = 0;               ///< and the peer of a failed separation
+  Pose pose;
+  Vec3 commanded_velocity_mps = Vec3::Zero();
+  double planned_length_m = 0.0;
+  double cost = 0.0;             ///< of its best particle, in length units
+  std::uint32_t generation = 0;  ///< of its sub-swarm
+  std::uint64_t state_hash = 0;
+
+  bool operator==(const Beacon&) const = default;
+};
+
+/// A change of the roster, as the report keeps it.
+struct RosterChange {
+  std::uint32_t step = 0;
+  std::uint32_t round = 0;  ///< the first round whose tick no longer names the agent
+  AgentId agent = 0;
+  std::uint32_t incarnation = 0;
+  LossReason reason = LossReason::None;
+
+  bool operator==(const RosterChange&) const = default;
+};
+
+}  // namespace skein

@@ -1,0 +1,58 @@
+#include "planner/core/mission/mission.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "planner/core/math/det_math.hpp"
+
+namespace skein {
+
+const VehicleSpec& vehicle_of(const Mission& mission, AgentId id) {
+  const auto found = std::ranges::find(mission.vehicles, id, &VehicleSpec::id);
+  if (found == mission.vehicles.end()) {
+    throw std::invalid_argument("the mission has no vehicle " + std::to_string(id));
+  }
+  return *found;
+}
+
+Pose slot_pose(const Mission& mission, const VehicleSpec& vehicle) {
+  const double c = math::cos(mission.formation.heading_rad);
+  const double s = math::sin(mission.formation.heading_rad);
+  const Vec3& offset = vehicle.slot_offset_m;
+  Pose pose = mission.formation;
+  pose.position_m += Vec3(c * offset.x() - s * offset.y(), s * offset.x() + c * offset.y(), offset.z());
+  return pose;
+}
+
+namespace {
+
+void add_zone(StateHash& hash, const Zone& zone) {
+  hash.add(zone.no_fly).add(zone.shape.index());
+  if (const auto* cylinder = std::get_if<Cylinder>(&zone.shape)) {
+    hash.add(cylinder->centre_m).add(cylinder->radius_m).add(cylinder->z_min_m).add(cylinder->z_max_m);
+  } else {
+    const auto& box = std::get<Box>(zone.shape);
+    hash.add(box.min_m).add(box.max_m);
+  }
+}
+
+}  // namespace
+
+std::uint64_t mission_hash(const Mission& mission) {
+  StateHash hash;
+  hash.add(std::string_view(mission.name)).add(mission.kind).add(mission.seed).add(mission.length_unit_m);
+  hash.add(mission.step_s).add(mission.formation).add(mission.arrival_radius_m).add(mission.vehicles.size());
+  for (const VehicleSpec& v : mission.vehicles) {
+    hash.add(v.id).add(v.start).add(v.slot_offset_m).add(v.type).add(v.speed_mps).add(v.max_curvature_per_m);
+    hash.add(v.radius_m).add(v.safety_radius_m);
+  }
+  hash.add(mission.zones.size());
+  for (const Zone& zone : mission.zones) add_zone(hash, zone);
+  hash.add(std::string_view(mission.planner.name));
+  for (const RendezvousField& field : kRendezvousFields) {
+    std::visit([&](auto member) { hash.add(static_cast<double>(mission.planner.*member)); }, field.member);
+  }
+  return hash.value();
+}
+
+}  // namespace skein

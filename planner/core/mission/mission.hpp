@@ -1,0 +1,76 @@
+// The mission: all that agents are told, published by the world before a run starts.
+//
+// It holds vehicles, poses, formation, known obstacles and no-fly zones, planner options and the seed. What an agent
+// may not know is not in it. Source: papers/001, section 2.1, for the formation rendezvous.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planner/core/geometry/types.hpp"
+#include "planner/core/hash/state_hash.hpp"
+#include "planner/core/options/rendezvous_options.hpp"
+
+namespace skein {
+
+/// An agent's id: 1 to kMaxAgents. 0 is the world.
+using AgentId = std::uint32_t;
+inline constexpr AgentId kMaxAgents = 256;
+inline constexpr AgentId kWorldId = 0;
+
+enum class MissionKind : std::uint8_t { Rendezvous = 1 };
+enum class VehicleType : std::uint8_t { ConstantSpeed = 1 };
+/// What becomes of the vehicle of a lost agent.
+enum class OnAgentLoss : std::uint8_t { Remove = 1, Continue = 2 };
+
+/// One UAV as the mission knows it.
+struct VehicleSpec {
+  AgentId id = 0;
+  Pose start;
+  Vec3 slot_offset_m = Vec3::Zero();  ///< place in the formation frame: x along the formation heading
+  VehicleType type = VehicleType::ConstantSpeed;
+  double speed_mps = 0.0;
+  double max_curvature_per_m = 0.0;
+  double radius_m = 0.0;         ///< of the body: closer than the sum of two is a collision
+  double safety_radius_m = 0.0;  ///< R of Eq. 17: closer than the sum of two is a near miss
+
+  bool operator==(const VehicleSpec&) const = default;
+};
+
+/// A static obstacle or a no-fly zone.
+struct Zone {
+  std::variant<Cylinder, Box> shape;
+  bool no_fly = false;
+
+  bool operator==(const Zone&) const = default;
+};
+
+struct Mission {
+  std::string name;
+  MissionKind kind = MissionKind::Rendezvous;
+  std::uint64_t seed = 0;
+  double length_unit_m = 1.0;  ///< the unit in which cost terms take lengths (1000 for a paper in kilometres)
+  double step_s = 0.0;         ///< simulated time of one flight step
+  Pose formation;              ///< pose of the formation centre at the rendezvous
+  double arrival_radius_m = 0.0;
+  std::vector<VehicleSpec> vehicles;  ///< by ascending id
+  std::vector<Zone> zones;
+  RendezvousOptions planner;
+
+  bool operator==(const Mission&) const = default;
+};
+
+/// The spec of an agent's vehicle. @throws std::invalid_argument if the mission has no such vehicle.
+[[nodiscard]] const VehicleSpec& vehicle_of(const Mission& mission, AgentId id);
+
+/// Where a vehicle must arrive: its offset as part of a virtual structure, turned with the formation heading, and the
+/// formation's own direction (papers/001, section 2.1).
+[[nodiscard]] Pose slot_pose(const Mission& mission, const VehicleSpec& vehicle);
+
+/// Hash of everything in the mission, the seed included: H0 of a run.
+[[nodiscard]] std::uint64_t mission_hash(const Mission& mission);
+
+}  // namespace skein

@@ -1,0 +1,81 @@
+// Options of the rendezvous planners (papers/001), carried typed in the mission.
+//
+// Every field has a default, a unit and a legal range; `kRendezvousFields` lists them once, for the scenario loader,
+// the wire check and the documentation. Source: papers/001, section 4.1 (M, T, w1, Np, Nph) and Eq. 8-16.
+// Departs from source: search range in chords, velocity limit, re-initialisation and equalisation, which the paper
+// leaves open (docs/families/rendezvous.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace skein {
+
+struct RendezvousOptions {
+  std::string name = "dcpso";             ///< the planner, by name
+  std::int32_t particles = 20;            ///< M, particles of a sub-swarm
+  std::int32_t generations = 50;          ///< T
+  double length_weight = 0.5;             ///< w1 of Eq. 11, in [0, 1]
+  double inertia_start = 0.9;             ///< omega_start of Eq. 10
+  double inertia_end = 0.4;               ///< omega_end of Eq. 10
+  double cognitive = 2.0;                 ///< c1 of Eq. 8
+  double social = 2.0;                    ///< c2 of Eq. 8
+  double search_min_chords = 0.03;        ///< lower bound of m0, m1, in lengths of the chord from start to slot
+  double search_max_chords = 6.0;         ///< upper bound of m0, m1, in chords
+  double velocity_limit = 0.1;            ///< Vmax as a fraction of the search range
+  double reinitialise_probability = 0.1;  ///< of each particle in each generation
+  std::int32_t check_points = 50;         ///< Np = Nph, points of a path at which constraints are checked in the search
+  std::int32_t dense_points = 1000;       ///< points of a path at which the final path is checked again
+  double penalty = 1e5;                   ///< cost of each violated constraint (Eq. 11, 12, 15)
+  double length_penalty = 100.0;          ///< factor of |L - Lref|^2 in Eq. 16, per length unit
+  double clearance_margin_m = 5.0;        ///< kept from obstacles and no-fly zones beyond the vehicle's radius
+  std::int32_t equalise_directions = 64;  ///< directions of (m0, m1) tried to reach the common length (Remark 3)
+  std::int32_t equalise_rounds = 40;      ///< rounds within which the swarm must agree on the common length
+
+  bool operator==(const RendezvousOptions&) const = default;
+};
+
+/// One option: its key in a scenario, its place, its unit ("" for none) and its closed legal range.
+struct RendezvousField {
+  std::string_view key;
+  std::variant<double RendezvousOptions::*, std::int32_t RendezvousOptions::*> member;
+  std::string_view unit;
+  double min;
+  double max;
+};
+
+inline constexpr std::array<RendezvousField, 18> kRendezvousFields{{
+    {"particles", &RendezvousOptions::particles, "", 2, 10000},
+    {"generations", &RendezvousOptions::generations, "", 1, 10000},
+    {"length_weight", &RendezvousOptions::length_weight, "", 0, 1},
+    {"inertia_start", &RendezvousOptions::inertia_start, "", 0, 2},
+    {"inertia_end", &RendezvousOptions::inertia_end, "", 0, 2},
+    {"cognitive", &RendezvousOptions::cognitive, "", 0, 10},
+    {"social", &RendezvousOptions::social, "", 0, 10},
+    {"search_min_chords", &RendezvousOptions::search_min_chords, "chords", 1e-6, 100},
+    {"search_max_chords", &RendezvousOptions::search_max_chords, "chords", 1e-6, 100},
+    {"velocity_limit", &RendezvousOptions::velocity_limit, "", 1e-6, 1},
+    {"reinitialise_probability", &RendezvousOptions::reinitialise_probability, "", 0, 1},
+    {"check_points", &RendezvousOptions::check_points, "", 3, 1000},
+    {"dense_points", &RendezvousOptions::dense_points, "", 100, 100000},
+    {"penalty", &RendezvousOptions::penalty, "", 0, 1e12},
+    {"length_penalty", &RendezvousOptions::length_penalty, "", 0, 1e12},
+    {"clearance_margin_m", &RendezvousOptions::clearance_margin_m, "m", 0, 1e6},
+    {"equalise_directions", &RendezvousOptions::equalise_directions, "", 4, 4096},
+    {"equalise_rounds", &RendezvousOptions::equalise_rounds, "", 1, 1000},
+}};
+
+/// What is wrong with one option: its key and one line that names value and legal range.
+struct OptionFault {
+  std::string key;
+  std::string message;
+};
+
+/// The first fault of the options, or nothing. Checked once, where options enter (scenario, wire, planner).
+[[nodiscard]] std::optional<OptionFault> validate(const RendezvousOptions& options);
+
+}  // namespace skein
