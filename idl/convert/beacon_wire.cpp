@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <functional>
+
+#include "idl/convert/checker.hpp"
+#include "idl/convert/limits.hpp"
+#include "idl/convert/parts.hpp"
+
+namespace skein {
+namespace {
+
+bool ascends(const std::vector<std::uint64_t>& nonces) {
+  return std::ranges::adjacent_find(nonces, std::greater_equal<>()) == nonces.end();
+}
+
+void check_origin(Checker& check, const wire::Beacon& sample) {
+  check.agent(sample.agent(), "beacon.agent");
+  check.sender(sample.head(), sample.agent(), "beacon.head.sender");
+  const bool introduction = sample.head().incarnation() == 0;
+  if (!introduction || sample.head().run() != 0) check.run(sample.head().run(), "beacon.head.run");
+  if (!introduction) {
+    check.incarnation(sample.agent(), sample.head().incarnation(), sample.nonce(), "beacon.head.incarnation");
+  }
+}
+
+void check_lists(Checker& check, const wire::Beacon& sample) {
+  check.size_at_most(sample.matched().size(), wire::kMaxMatched, "beacon.matched");
+  check.size_at_most(sample.needs().size(), wire::kMaxNeeds, "beacon.needs");
+  if (!check.ok()) return;
+  check.require(ascends(sample.matched()), WireFaultReason::BadOrder, "beacon.matched");
+  for (const wire::Lack& lack : sample.needs()) check.agent(lack.agent(), "beacon.needs.agent");
+}
+
+void check_state(Checker& check, const wire::Beacon& sample) {
+  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Leaving, "beacon.mode");
+  check.enumerator(sample.failing(), Constraint::None, Constraint::Length, "beacon.failing");
+  if (sample.failing_peer() != 0) check.agent(sample.failing_peer(), "beacon.failing_peer");
+  check.pose(sample.own(), "beacon.own");
+  check.velocity(sample.commanded_velocity_mps(), "beacon.commanded_velocity_mps");
+  check.within(sample.planned_length_m(), 0.0, limits::kLength_m, "beacon.planned_length_m");
+  check.within(sample.cost(), -limits::kCost, limits::kCost, "beacon.cost");
+}
+
+}  // namespace
+
+wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp) {
+  require_bound(beacon.matched.size(), wire::kMaxMatched, "beacon.matched");
+  require_bound(beacon.needs.size(), wire::kMaxNeeds, "beacon.needs");
+  wire::Beacon out;
+  out.head(wire_head(beacon.run, stamp.stamp_ns, beacon.agent, beacon.incarnation));
+  out.agent(beacon.agent);
+  out.nonce(beacon.nonce);
+  out.step(beacon.step);
+  out.round(beacon.round);
+  out.closes_round(beacon.closes_round);
+  out.sent_representative(beacon.representative);
+  out.matched(beacon.matched);
+  out.needs().resize(beacon.needs.size());
+  for (std::size_t i = 0; i < beacon.needs.size(); ++i) {
+    out.needs()[i].agent(beacon.needs[i].agent);
+    out.needs()[i].round(beacon.needs[i].round);
+  }
+  out.mode(static_cast<std::uint8_t>(beacon.mode));
+  out.failing(static_cast<std::uint8_t>(beacon.constraint));
+  out.failing_peer(beacon.constraint_peer);
+  out.own(wire_pose(beacon.pose));
+  out.commanded_velocity_mps(wire_point(beacon.commanded_velocity_mps));
+  out.planned_length_m(beacon.planned_length_m);
+  out.cost(beacon.cost);
+  out.generation(beacon.generation);
+  out.state_hash(beacon.state_hash);
+  return out;
+}
+
+Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context) {
+  Checker check(context);
+  check_origin(check, sample);
+  check_lists(check, sample);
+  check_state(check, sample);
+  if (!check.ok()) return check.fault();
+
+  Beacon out;
+  out.run = sample.head().run();
+  out.agent = sample.agent();
+  out.incarnation = sample.head().incarnation();
+  out.nonce = sample.nonce();
+  out.step = sample.step();
+  out.round = sample.round();
+  out.closes_round = sample.closes_round();
+  out.representative = sample.sent_representative();
+  out.matched = sample.matched();
+  for (const wire::Lack& lack : sample.needs()) out.needs.push_back({lack.agent(), lack.round()});
+  out.mode = static_cast<AgentMode>(sample.mode());
+  out.constraint = static_cast<Constraint>(sample.failing());
+  out.constraint_peer = sample.failing_peer();
+  out.pose = plain_pose(sample.own());
+  out.commanded_velocity_mps = plain_point(sample.commanded_velocity_mps());
+  out.planned_length_m = sample.planned_length_m();
+  out.cost = sample.cost();
+  out.generation = sample.generation();
+  out.state_hash = sample.state_hash();
+  return out;
+}
+
+}  // namespace skein

@@ -1,0 +1,159 @@
+#include <utility>
+
+#include "idl/convert/checker.hpp"
+#include "idl/convert/limits.hpp"
+#include "idl/convert/parts.hpp"
+
+namespace skein {
+namespace {
+
+constexpr std::uint8_t kCylinder = 0;
+constexpr std::uint8_t kBox = 1;
+
+wire::Vehicle wire_vehicle(const VehicleSpec& spec) {
+  wire::Vehicle out;
+  out.agent(spec.id);
+  out.start(wire_pose(spec.start));
+  out.slot_offset_m(wire_point(spec.slot_offset_m));
+  out.kind(static_cast<std::uint8_t>(spec.type));
+  out.speed_mps(spec.speed_mps);
+  out.max_curvature_per_m(spec.max_curvature_per_m);
+  out.radius_m(spec.radius_m);
+  out.safety_radius_m(spec.safety_radius_m);
+  return out;
+}
+
+VehicleSpec plain_vehicle(const wire::Vehicle& vehicle) {
+  VehicleSpec out;
+  out.id = vehicle.agent();
+  out.start = plain_pose(vehicle.start());
+  out.slot_offset_m = plain_point(vehicle.slot_offset_m());
+  out.type = static_cast<VehicleType>(vehicle.kind());
+  out.speed_mps = vehicle.speed_mps();
+  out.max_curvature_per_m = vehicle.max_curvature_per_m();
+  out.radius_m = vehicle.radius_m();
+  out.safety_radius_m = vehicle.safety_radius_m();
+  return out;
+}
+
+void check_vehicle(Checker& check, const wire::Vehicle& vehicle) {
+  check.agent(vehicle.agent(), "mission.vehicles.agent");
+  check.pose(vehicle.start(), "mission.vehicles.start");
+  check.position(vehicle.slot_offset_m(), "mission.vehicles.slot_offset_m");
+  check.enumerator(vehicle.kind(), VehicleType::ConstantSpeed, VehicleType::ConstantSpeed, "mission.vehicles.kind");
+  check.within(vehicle.speed_mps(), 0.0, limits::kSpeed_mps, "mission.vehicles.speed_mps");
+  check.within(vehicle.max_curvature_per_m(), 0.0, limits::kCurvature_per_m, "mission.vehicles.max_curvature_per_m");
+  check.within(vehicle.radius_m(), 0.0, limits::kPosition_m, "mission.vehicles.radius_m");
+  check.within(vehicle.safety_radius_m(), 0.0, limits::kPosition_m, "mission.vehicles.safety_radius_m");
+}
+
+wire::Area wire_area(const Zone& zone) {
+  wire::Area out;
+  out.no_fly(zone.no_fly);
+  if (const auto* cylinder = std::get_if<Cylinder>(&zone.shape)) {
+    out.shape(kCylinder);
+    out.min_m(wire_point({cylinder->centre_m.x(), cylinder->centre_m.y(), cylinder->z_min_m}));
+    out.max_m(wire_point({0.0, 0.0, cylinder->z_max_m}));
+    out.radius_m(cylinder->radius_m);
+  } else {
+    const auto& box = std::get<Box>(zone.shape);
+    out.shape(kBox);
+    out.min_m(wire_point(box.min_m));
+    out.max_m(wire_point(box.max_m));
+  }
+  return out;
+}
+
+Zone plain_zone(const wire::Area& area) {
+  const Vec3 low = plain_point(area.min_m());
+  const Vec3 high = plain_point(area.max_m());
+  if (area.shape() == kBox) return {Box{low, high}, area.no_fly()};
+  return {Cylinder{Vec2(low.x(), low.y()), area.radius_m(), low.z(), high.z()}, area.no_fly()};
+}
+
+void check_area(Checker& check, const wire::Area& area) {
+  check.enumerator(area.shape(), kCylinder, kBox, "mission.zones.shape");
+  check.position(area.min_m(), "mission.zones.min_m");
+  check.position(area.max_m(), "mission.zones.max_m");
+  check.within(area.radius_m(), 0.0, limits::kPosition_m, "mission.zones.radius_m");
+  const bool flat = area.shape() == kCylinder;
+  check.require(area.min_m().z() <= area.max_m().z(), WireFaultReason::BadMission, "mission.zones.max_m.z");
+  check.require(flat || area.min_m().x() <= area.max_m().x(), WireFaultReason::BadMission, "mission.zones.max_m.x");
+  check.require(flat || area.min_m().y() <= area.max_m().y(), WireFaultReason::BadMission, "mission.zones.max_m.y");
+}
+
+void check_options(Checker& check, const RendezvousOptions& options) {
+  for (const RendezvousField& field : kRendezvousFields) {
+    if (const auto* real = std::get_if<double RendezvousOptions::*>(&field.member)) {
+      check.within(options.**real, -limits::kCost, limits::kCost, "mission.planner");
+    }
+  }
+  check.require(!check.ok() || !validate(options).has_value(), WireFaultReason::BadOptions, "mission.planner");
+}
+
+void check_scalars(Checker& check, const wire::Mission& sample) {
+  check.sender(sample.head(), kWorldId, "mission.head.sender");
+  check.run(sample.head().run(), "mission.head.run");
+  check.text(sample.name().c_str(), "mission.name");
+  check.enumerator(sample.kind(), MissionKind::Rendezvous, MissionKind::Rendezvous, "mission.kind");
+  check.within(sample.length_unit_m(), limits::kUnitMin_m, limits::kUnitMax_m, "mission.length_unit_m");
+  check.within(sample.step_s(), 0.0, limits::kStep_s, "mission.step_s");
+  check.require(sample.step_s() > 0.0, WireFaultReason::OutOfRange, "mission.step_s");
+  check.pose(sample.formation(), "mission.formation");
+  check.within(sample.arrival_radius_m(), 0.0, limits::kPosition_m, "mission.arrival_radius_m");
+  check.size_at_most(sample.vehicles().size(), wire::kMaxVehicles, "mission.vehicles");
+  check.size_at_most(sample.zones().size(), wire::kMaxZones, "mission.zones");
+  check.require(!sample.vehicles().empty(), WireFaultReason::BadMission, "mission.vehicles");
+}
+
+}  // namespace
+
+wire::Mission to_wire(const Mission& mission, const Stamp& stamp) {
+  require_bound(mission.name.size(), wire::kMaxName, "mission.name");
+  require_bound(mission.vehicles.size(), wire::kMaxVehicles, "mission.vehicles");
+  require_bound(mission.zones.size(), wire::kMaxZones, "mission.zones");
+  wire::Mission out;
+  out.head(wire_head(stamp.run, stamp.stamp_ns, kWorldId, 0));
+  out.name(mission.name);
+  out.kind(static_cast<std::uint8_t>(mission.kind));
+  out.seed(mission.seed);
+  out.length_unit_m(mission.length_unit_m);
+  out.step_s(mission.step_s);
+  out.formation(wire_pose(mission.formation));
+  out.arrival_radius_m(mission.arrival_radius_m);
+  for (const VehicleSpec& vehicle : mission.vehicles) out.vehicles().push_back(wire_vehicle(vehicle));
+  for (const Zone& zone : mission.zones) out.zones().push_back(wire_area(zone));
+  out.planner(wire_options(mission.planner));
+  return out;
+}
+
+Checked<Mission> from_wire(const wire::Mission& sample, const WireContext& context) {
+  const WireContext own{.run = context.run, .known = {}, .roster = {}, .particle_size = 0};
+  Checker check(own);
+  check_scalars(check, sample);
+  if (!check.ok()) return check.fault();
+  std::uint32_t before = 0;
+  for (const wire::Vehicle& vehicle : sample.vehicles()) {
+    check_vehicle(check, vehicle);
+    check.require(vehicle.agent() > before, WireFaultReason::BadOrder, "mission.vehicles");
+    before = vehicle.agent();
+  }
+  for (const wire::Area& area : sample.zones()) check_area(check, area);
+
+  Mission out;
+  out.planner = plain_options(sample.planner());
+  check_options(check, out.planner);
+  if (!check.ok()) return check.fault();
+  out.name = sample.name().to_string();
+  out.kind = static_cast<MissionKind>(sample.kind());
+  out.seed = sample.seed();
+  out.length_unit_m = sample.length_unit_m();
+  out.step_s = sample.step_s();
+  out.formation = plain_pose(sample.formation());
+  out.arrival_radius_m = sample.arrival_radius_m();
+  for (const wire::Vehicle& vehicle : sample.vehicles()) out.vehicles.push_back(plain_vehicle(vehicle));
+  for (const wire::Area& area : sample.zones()) out.zones.push_back(plain_zone(area));
+  return out;
+}
+
+}  // namespace skein
