@@ -1,0 +1,82 @@
+#include "simworld/scenario/checks.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "planner/core/geometry/distance.hpp"
+
+namespace skein::scenario {
+namespace {
+
+/// What is checked the same way: the starts, then the slots in the world frame.
+struct Spots {
+  std::string_view what;
+  std::vector<Vec2> at_m;
+  const std::vector<Place>& places;
+};
+
+double length(const Vec2& v) {
+  return std::sqrt(v.x() * v.x() + v.y() * v.y());
+}
+
+double distance_to(const Zone& zone, const Vec2& point_m) {
+  return std::visit([&](const auto& shape) { return signed_distance(point_m, shape); }, zone.shape);
+}
+
+void check_separation(const Mission& mission, const Spots& spots) {
+  for (std::size_t j = 0; j < spots.at_m.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      const VehicleSpec& a = mission.vehicles[i];
+      const VehicleSpec& b = mission.vehicles[j];
+      const double apart_m = length(spots.at_m[i] - spots.at_m[j]);
+      const double least_m = a.safety_radius_m + b.safety_radius_m;
+      if (apart_m >= least_m) continue;
+      const Place& place = spots.places[i].set_key.empty() ? spots.places[j] : spots.places[i];
+      throw ReadFault(place, fmt::format("the {}s of vehicles {} and {} are {} m apart; allowed: at least {} m, their "
+                                         "safety radii together",
+                                         spots.what, a.id, b.id, apart_m, least_m));
+    }
+  }
+}
+
+void check_clearance(const Mission& mission, const Spots& spots) {
+  for (std::size_t i = 0; i < spots.at_m.size(); ++i) {
+    const VehicleSpec& vehicle = mission.vehicles[i];
+    std::size_t obstacles = 0;
+    std::size_t areas = 0;
+    for (const Zone& zone : mission.zones) {
+      const std::size_t number = zone.no_fly ? ++areas : ++obstacles;
+      const double apart_m = distance_to(zone, spots.at_m[i]);
+      if (apart_m > vehicle.radius_m) continue;
+      throw ReadFault(spots.places[i],
+                      fmt::format("the {} of vehicle {} is {} m {} {}.{}; allowed: more than {} m from it, its radius",
+                                  spots.what, vehicle.id, std::fabs(apart_m), apart_m < 0.0 ? "inside" : "from",
+                                  zone.no_fly ? "no_fly" : "obstacles", number, vehicle.radius_m));
+    }
+  }
+}
+
+}  // namespace
+
+void check_mission(const Mission& mission, const Places& places) {
+  Spots starts{"start", {}, places.starts};
+  Spots slots{"slot", {}, places.slots};
+  for (const VehicleSpec& vehicle : mission.vehicles) {
+    starts.at_m.emplace_back(vehicle.start.position_m.head<2>());
+    slots.at_m.emplace_back(slot_pose(mission, vehicle).position_m.head<2>());
+  }
+  check_separation(mission, starts);
+  check_separation(mission, slots);
+  check_clearance(mission, starts);
+  check_clearance(mission, slots);
+  for (std::size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const double apart_m = length(starts.at_m[i] - slots.at_m[i]);
+    if (apart_m > mission.arrival_radius_m) continue;
+    throw ReadFault(places.starts[i],
+                    fmt::format("vehicle {} starts {} m from its slot; allowed: more than arrival_radius_m, {} m",
+                                mission.vehicles[i].id, apart_m, mission.arrival_radius_m));
+  }
+}
+
+}  // namespace skein::scenario

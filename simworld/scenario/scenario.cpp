@@ -1,0 +1,74 @@
+#include "simworld/scenario/scenario.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "planner/core/hash/state_hash.hpp"
+#include "simworld/scenario/checks.hpp"
+#include "simworld/scenario/overrides.hpp"
+#include "simworld/scenario/sections.hpp"
+#include "simworld/scenario/yaml_tree.hpp"
+
+namespace skein {
+namespace {
+
+constexpr std::size_t kMaxBytes = 1'000'000;
+
+ScenarioFault file_fault(const std::string& path, std::string_view what) {
+  return {fmt::format("{}:1:1", path), fmt::format("{}; allowed: a readable scenario file of at most 1 MB", what)};
+}
+
+ScenarioFault fault_at(const std::string& path, const scenario::ReadFault& fault) {
+  const scenario::Place& place = fault.place();
+  return {place.set_key.empty() ? fmt::format("{}:{}:{}", path, place.line, place.column)
+                                : fmt::format("--set {}", scenario::on_one_line(place.set_key)),
+          fault.what()};
+}
+
+std::uint64_t hash_of(const std::string& text, std::span<const Override> overrides) {
+  StateHash hash;
+  hash.add(std::string_view(text)).add(overrides.size());
+  for (const Override& change : overrides) hash.add(std::string_view(change.key)).add(std::string_view(change.value));
+  return hash.value();
+}
+
+}  // namespace
+
+ScenarioResult load_scenario(const std::string& path, std::span<const Override> overrides,
+                             std::optional<std::uint64_t> seed) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return file_fault(path, "this is a directory");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return file_fault(path, fmt::format("cannot be read ({})", std::strerror(errno)));
+  std::string text(kMaxBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) return file_fault(path, "cannot be read");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kMaxBytes) return file_fault(path, "longer than 1 MB");
+  return parse_scenario(text, path, overrides, seed);
+}
+
+ScenarioResult parse_scenario(const std::string& text, const std::string& path, std::span<const Override> overrides,
+                              std::optional<std::uint64_t> seed) {
+  Scenario scenario;
+  scenario.path = path;
+  scenario.text = text;
+  scenario.scenario_hash = hash_of(text, overrides);
+  try {
+    scenario::YamlNode root = scenario::parse_yaml(text);
+    for (const Override& change : overrides) scenario::apply_override(root, change.key, change.value);
+    const scenario::Places places = scenario::read_sections(root, scenario);
+    if (seed) scenario.mission.seed = *seed;
+    scenario::check_mission(scenario.mission, places);
+  } catch (const scenario::ReadFault& fault) {
+    return fault_at(path, fault);
+  }
+  return scenario;
+}
+
+}  // namespace skein

@@ -1,0 +1,182 @@
+#include "simworld/scenario/sections.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+
+#include "planner/core/options/rendezvous_options.hpp"
+#include "simworld/scenario/reader.hpp"
+
+namespace skein::scenario {
+namespace {
+
+using Keys = std::string_view;
+constexpr Keys kRoot[] = {"name",     "kind",      "seed",      "length_unit_m", "step_s",  "arrival_radius_m",
+                          "vehicles", "formation", "obstacles", "no_fly",        "planner", "lockstep",
+                          "world"};
+constexpr Keys kVehicles[] = {"type",          "speed_mps", "max_curvature_per_m", "radius_m", "safety_radius_m",
+                              "on_agent_loss", "starts"};
+constexpr Keys kStart[] = {"id", "x_m", "y_m", "heading_rad"};
+constexpr Keys kFormation[] = {"x_m", "y_m", "heading_rad", "slots"};
+constexpr Keys kSlot[] = {"id", "x_m", "y_m"};
+constexpr Keys kCircle[] = {"x_m", "y_m", "radius_m"};
+constexpr Keys kRectangle[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m"};
+constexpr Keys kLockstep[] = {"deadline_s"};
+constexpr Keys kWorld[] = {"max_steps", "max_rounds"};
+
+constexpr Limits kCoordinate{-1e7, 1e7, "m"};
+constexpr Limits kHeading{-6.283185307179586, 6.283185307179586, "rad"};
+constexpr Limits kExtent{1e-3, 1e6, "m"};
+constexpr std::size_t kMaxZones = 256;  // of each list
+constexpr std::uint64_t kMostSteps = 10'000'000;
+
+constexpr auto kPlannerKeys = [] {
+  std::array<Keys, kRendezvousFields.size() + 1> keys{"name"};
+  for (std::size_t i = 0; i < kRendezvousFields.size(); ++i) keys[i + 1] = kRendezvousFields[i].key;
+  return keys;
+}();
+
+AgentId read_id(const MapReader& reader) {
+  return static_cast<AgentId>(reader.whole("id", 1, kMaxAgents));
+}
+
+void read_head(const MapReader& root, Mission& mission) {
+  static constexpr Keys kKinds[] = {"rendezvous"};
+  mission.name = root.name("name");
+  (void)root.word("kind", kKinds);
+  mission.kind = MissionKind::Rendezvous;
+  mission.seed = root.whole("seed", 0, std::numeric_limits<std::uint64_t>::max(), 0);
+  mission.length_unit_m = root.number("length_unit_m", {1e-3, 1e6, "m"}, 1.0);
+  mission.step_s = root.number("step_s", {1e-3, 60, "s"});
+  mission.arrival_radius_m = root.number("arrival_radius_m", {1e-6, 1e5, "m"});
+}
+
+/// What is common to all vehicles, as a spec without id, start and slot.
+VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
+  static constexpr Keys kTypes[] = {"constant_speed"};
+  static constexpr Keys kLosses[] = {"remove", "continue"};
+  VehicleSpec spec;
+  (void)vehicles.word("type", kTypes);
+  spec.type = VehicleType::ConstantSpeed;
+  spec.speed_mps = vehicles.number("speed_mps", {0.01, 1000, "m/s"});
+  spec.max_curvature_per_m = vehicles.number("max_curvature_per_m", {1e-6, 10, "per m"});
+  spec.radius_m = vehicles.number("radius_m", {1e-3, 1000, "m"});
+  spec.safety_radius_m = vehicles.number("safety_radius_m", {1e-3, 1e5, "m"});
+  if (spec.safety_radius_m < spec.radius_m) {
+    vehicles.refuse("safety_radius_m", fmt::format("at least vehicles.radius_m, {} m", spec.radius_m));
+  }
+  const bool remove = vehicles.word("on_agent_loss", kLosses, "remove") == "remove";
+  world.on_agent_loss = remove ? OnAgentLoss::Remove : OnAgentLoss::Continue;
+  return spec;
+}
+
+struct Placed {
+  VehicleSpec spec;
+  Place start;
+  Place slot;
+  bool has_slot = false;
+};
+
+std::map<AgentId, Placed> read_starts(const MapReader& vehicles, const VehicleSpec& common) {
+  std::map<AgentId, Placed> placed;
+  const auto items = vehicles.list("starts", kMaxAgents, true);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const MapReader item = vehicles.item("starts", i, kStart);
+    Placed vehicle{common, place_of_item(items[i]), {}};
+    vehicle.spec.id = read_id(item);
+    vehicle.spec.start.position_m = Vec3(item.number("x_m", kCoordinate), item.number("y_m", kCoordinate), 0.0);
+    vehicle.spec.start.heading_rad = item.number("heading_rad", kHeading);
+    if (!placed.emplace(vehicle.spec.id, vehicle).second) item.refuse("id", "an id that no other start has");
+  }
+  return placed;
+}
+
+void read_slots(const MapReader& formation, std::map<AgentId, Placed>& placed) {
+  const auto items = formation.list("slots", kMaxAgents, true);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const MapReader item = formation.item("slots", i, kSlot);
+    const auto found = placed.find(read_id(item));
+    if (found == placed.end()) item.refuse("id", "the id of one of vehicles.starts");
+    if (found->second.has_slot) item.refuse("id", "an id that no other slot has");
+    found->second.spec.slot_offset_m = Vec3(item.number("x_m", kCoordinate), item.number("y_m", kCoordinate), 0.0);
+    found->second.slot = place_of_item(items[i]);
+    found->second.has_slot = true;
+  }
+  for (const auto& [id, vehicle] : placed) {
+    if (vehicle.has_slot) continue;
+    throw ReadFault(formation.place_of("slots"),
+                    fmt::format("formation.slots has none for vehicle {}; allowed: one for each start", id));
+  }
+}
+
+void read_zones(const MapReader& root, std::vector<Zone>& zones) {
+  const std::size_t circles = root.list("obstacles", kMaxZones, false).size();
+  for (std::size_t i = 0; i < circles; ++i) {
+    const MapReader item = root.item("obstacles", i, kCircle);
+    Cylinder circle;
+    circle.centre_m = Vec2(item.number("x_m", kCoordinate), item.number("y_m", kCoordinate));
+    circle.radius_m = item.number("radius_m", kExtent);
+    zones.push_back({circle, false});
+  }
+  const std::size_t rectangles = root.list("no_fly", kMaxZones, false).size();
+  for (std::size_t i = 0; i < rectangles; ++i) {
+    const MapReader item = root.item("no_fly", i, kRectangle);
+    Box box;
+    box.min_m.head<2>() = Vec2(item.number("x_min_m", kCoordinate), item.number("y_min_m", kCoordinate));
+    box.max_m.head<2>() = Vec2(item.number("x_max_m", kCoordinate), item.number("y_max_m", kCoordinate));
+    if (box.max_m.x() <= box.min_m.x()) item.refuse("x_max_m", fmt::format("more than x_min_m, {} m", box.min_m.x()));
+    if (box.max_m.y() <= box.min_m.y()) item.refuse("y_max_m", fmt::format("more than y_min_m, {} m", box.min_m.y()));
+    zones.push_back({box, true});
+  }
+}
+
+void read_planner(const MapReader& planner, RendezvousOptions& options) {
+  static constexpr Keys kNames[] = {"dcpso"};
+  options.name = planner.word("name", kNames, options.name);
+  for (const RendezvousField& field : kRendezvousFields) {
+    if (const auto* real = std::get_if<double RendezvousOptions::*>(&field.member)) {
+      options.** real = planner.number(field.key, {field.min, field.max, field.unit}, options.**real);
+    } else {
+      const auto member = std::get<std::int32_t RendezvousOptions::*>(field.member);
+      options.*member = static_cast<std::int32_t>(planner.whole(field.key, static_cast<std::uint64_t>(field.min),
+                                                                static_cast<std::uint64_t>(field.max),
+                                                                static_cast<std::uint64_t>(options.*member)));
+    }
+  }
+  if (const auto fault = validate(options)) throw ReadFault(planner.place_of(fault->key), "planner." + fault->message);
+}
+
+}  // namespace
+
+Places read_sections(const YamlNode& root_node, Scenario& into) {
+  const MapReader root(&root_node, "", kRoot, Place{});
+  read_head(root, into.mission);
+  const MapReader vehicles = root.map("vehicles", kVehicles, true);
+  const MapReader formation = root.map("formation", kFormation, true);
+  const MapReader lockstep = root.map("lockstep", kLockstep, false);
+  const MapReader world = root.map("world", kWorld, false);
+
+  std::map<AgentId, Placed> placed = read_starts(vehicles, read_vehicle_type(vehicles, into.world));
+  Pose& pose = into.mission.formation;
+  pose.position_m = Vec3(formation.number("x_m", kCoordinate), formation.number("y_m", kCoordinate), 0.0);
+  pose.heading_rad = formation.number("heading_rad", kHeading);
+  read_slots(formation, placed);
+  read_zones(root, into.mission.zones);
+  read_planner(root.map("planner", kPlannerKeys, false), into.mission.planner);
+  into.lockstep.deadline_s = lockstep.number("deadline_s", {0.1, 3600, "s"}, into.lockstep.deadline_s);
+  into.world.max_steps = static_cast<std::uint32_t>(world.whole("max_steps", 1, kMostSteps, into.world.max_steps));
+  into.world.max_rounds = static_cast<std::uint32_t>(world.whole("max_rounds", 1, kMostSteps, into.world.max_rounds));
+
+  Places places;
+  for (const auto& [id, vehicle] : placed) {
+    into.mission.vehicles.push_back(vehicle.spec);
+    places.starts.push_back(vehicle.start);
+    places.slots.push_back(vehicle.slot);
+  }
+  return places;
+}
+
+}  // namespace skein::scenario

@@ -1,0 +1,131 @@
+// What a good scenario becomes, value by value, and which seed and hash it has.
+#include "tests/simworld/scenario/scenarios.hpp"
+
+namespace skein::test {
+namespace {
+
+Scenario load(const std::string& path, std::optional<std::uint64_t> seed = {}) {
+  return scenario_of(load_scenario(path, {}, seed));
+}
+
+TEST(Scenario, LayoutAIsThatOfThePaper) {
+  const Scenario scenario = load(kScenarioDir + "rendezvous-2d.yaml");
+  const Mission& mission = scenario.mission;
+  EXPECT_EQ(mission.name, "rendezvous-2d");
+  EXPECT_EQ(mission.kind, MissionKind::Rendezvous);
+  EXPECT_EQ(mission.seed, 1U);
+  EXPECT_EQ(mission.length_unit_m, 1000.0);
+  EXPECT_EQ(mission.step_s, 0.5);
+  EXPECT_EQ(mission.formation.position_m, Vec3(30000, 15000, 0));  // the corrected point, not (35 km, 15 km)
+  EXPECT_EQ(mission.formation.heading_rad, 0.0);
+  ASSERT_EQ(mission.vehicles.size(), 3U);
+  const VehicleSpec& second = mission.vehicles[1];
+  EXPECT_EQ(second.id, 2U);
+  EXPECT_EQ(second.start.position_m, Vec3(-1000, 10000, 0));
+  EXPECT_DOUBLE_EQ(second.start.heading_rad, -3.14159265358979323846 / 4);
+  EXPECT_EQ(second.slot_offset_m, Vec3(-300, -600, 0));
+  EXPECT_EQ(second.type, VehicleType::ConstantSpeed);
+  EXPECT_EQ(second.speed_mps, 50.0);
+  EXPECT_EQ(second.max_curvature_per_m, 0.002);
+  EXPECT_EQ(second.radius_m, 2.0);
+  EXPECT_EQ(second.safety_radius_m, 100.0);
+  EXPECT_EQ(scenario.world.on_agent_loss, OnAgentLoss::Remove);
+}
+
+TEST(Scenario, LayoutAHasTwoCirclesAndTwoRectangles) {
+  const Mission mission = load(kScenarioDir + "rendezvous-2d.yaml").mission;
+  ASSERT_EQ(mission.zones.size(), 4U);
+  const auto& circle = std::get<Cylinder>(mission.zones[1].shape);
+  EXPECT_EQ(circle.centre_m, Vec2(6500, 17500));
+  EXPECT_EQ(circle.radius_m, 3000.0);
+  EXPECT_FALSE(mission.zones[1].no_fly);
+  const auto& box = std::get<Box>(mission.zones[2].shape);
+  EXPECT_EQ(box.min_m, Vec3(20000, 2000, -kUnboundedZ_m));
+  EXPECT_EQ(box.max_m, Vec3(25000, 6000, kUnboundedZ_m));
+  EXPECT_TRUE(mission.zones[2].no_fly);
+}
+
+TEST(Scenario, LayoutBDiffersInItsZonesOnly) {
+  Mission a = load(kScenarioDir + "rendezvous-2d.yaml").mission;
+  const Mission b = load(kScenarioDir + "rendezvous-2d-b.yaml").mission;
+  ASSERT_EQ(b.zones.size(), 4U);
+  EXPECT_EQ(std::get<Box>(b.zones[2].shape).min_m.head<2>(), Vec2(9000, 14000));
+  EXPECT_NE(a, b);
+  a.name = b.name;
+  a.zones = b.zones;
+  EXPECT_EQ(a, b);
+}
+
+TEST(Scenario, WhatIsLeftOutHasItsDefault) {
+  const Scenario scenario = load(kDataDir + "small.yaml");
+  RendezvousOptions planner;
+  planner.particles = 10;
+  EXPECT_EQ(scenario.mission.planner, planner);
+  EXPECT_EQ(scenario.lockstep, LockstepOptions{});
+  EXPECT_EQ(scenario.world, WorldOptions{});
+  EXPECT_EQ(scenario.mission.length_unit_m, 1.0);
+}
+
+TEST(Scenario, VehiclesAreByAscendingIdWhateverTheOrderOfTheFile) {
+  const std::vector<Override> swapped{
+      {"vehicles.starts", "[{id: 200, x_m: 5, y_m: 600, heading_rad: 1}, {id: 3, x_m: 0, y_m: 0, heading_rad: -1}]"},
+      {"formation.slots", "[{id: 3, x_m: 1, y_m: 0}, {id: 200, x_m: 2, y_m: 300}]"}};
+  const Mission mission = scenario_of(load_small(swapped)).mission;
+  ASSERT_EQ(mission.vehicles.size(), 2U);
+  EXPECT_EQ(mission.vehicles[0].id, 3U);
+  EXPECT_EQ(mission.vehicles[0].slot_offset_m.x(), 1.0);
+  EXPECT_EQ(mission.vehicles[1].start.heading_rad, 1.0);
+}
+
+TEST(Scenario, EveryPlannerOptionHasItsKey) {
+  for (const RendezvousField& field : kRendezvousFields) {
+    const std::string value =
+        field.key == "search_min_chords" ? "0.5" : std::to_string(static_cast<int>(field.min + 1));
+    const Scenario scenario = scenario_of(load_small({{"planner." + std::string(field.key), value}}));
+    const double read =
+        std::visit([&](auto member) { return static_cast<double>(scenario.mission.planner.*member); }, field.member);
+    EXPECT_EQ(read, std::stod(value)) << field.key;
+  }
+}
+
+TEST(Scenario, WordsAndWorldOptionsAreRead) {
+  const Scenario scenario = scenario_of(load_small({{"vehicles.on_agent_loss", "continue"},
+                                                    {"lockstep.deadline_s", "2.5"},
+                                                    {"world.max_rounds", "77"},
+                                                    {"name", "'12'"}}));
+  EXPECT_EQ(scenario.world.on_agent_loss, OnAgentLoss::Continue);
+  EXPECT_EQ(scenario.lockstep.deadline_s, 2.5);
+  EXPECT_EQ(scenario.world.max_rounds, 77U);
+  EXPECT_EQ(scenario.mission.name, "12");
+}
+
+TEST(Scenario, TheGivenSeedReplacesThatOfTheFileAndOfOverrides) {
+  const std::string path = kDataDir + "small.yaml";
+  EXPECT_EQ(load(path).mission.seed, 7U);
+  EXPECT_EQ(load(path, 18446744073709551615U).mission.seed, 18446744073709551615U);
+  const std::vector<Override> set{{"seed", "3"}};
+  EXPECT_EQ(scenario_of(load_scenario(path, set, 9)).mission.seed, 9U);
+  EXPECT_EQ(scenario_of(load_scenario(path, set, std::nullopt)).mission.seed, 3U);
+}
+
+TEST(Scenario, HashIsOfTheTextAndNotOfSeedOrPath) {
+  const Scenario a = load(kDataDir + "small.yaml", 1);
+  const Scenario b = load(kDataDir + "small.yaml", 2);
+  EXPECT_EQ(a.scenario_hash, b.scenario_hash);
+  EXPECT_EQ(a.path, kDataDir + "small.yaml");
+  EXPECT_EQ(a.text, text_of(a.path));
+  EXPECT_NE(scenario_of(parse_scenario(a.text + "# more\n", a.path, {}, 1)).scenario_hash, a.scenario_hash);
+  EXPECT_EQ(scenario_of(parse_scenario(a.text, "elsewhere", {}, 1)).scenario_hash, a.scenario_hash);
+}
+
+TEST(Scenario, SlotsAreCheckedWhereTheFormationHeadingTurnsThem) {
+  // Turned by a right angle, slot 2 (0, 200) lies 200 m west of the formation centre, in the obstacle.
+  const std::vector<Override> turned{
+      {"formation.heading_rad", "1.5707963267948966"}, {"obstacles.1.x_m", "8800"}, {"obstacles.1.radius_m", "50"}};
+  EXPECT_EQ(fault_line(load_small(turned)).substr(kDataDir.size()),
+            "small.yaml:22:7: the slot of vehicle 2 is 50 m inside obstacles.1; allowed: more than 2 m from it, its "
+            "radius");
+}
+
+}  // namespace
+}  // namespace skein::test
