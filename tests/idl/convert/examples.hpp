@@ -1,0 +1,87 @@
+// One valid sample of each kind, with every field set to a value of its own.
+#pragma once
+
+#include "idl/convert/convert.hpp"
+
+namespace skein::examples {
+
+inline constexpr Stamp kStamp{.stamp_ns = 1234567890123, .run = 77};
+
+inline Mission mission() {
+  Mission m;
+  m.name = "two geese";
+  m.seed = 42;
+  m.length_unit_m = 1000.0;
+  m.step_s = 0.5;
+  m.formation = {Vec3(30000.0, 29000.0, 10.0), 0.25, 0.125};
+  m.arrival_radius_m = 30.0;
+  m.vehicles = {{1,
+                 {Vec3(100.0, 200.0, 300.0), 0.5, -0.5},
+                 Vec3(0.0, 1.0, 2.0),
+                 VehicleType::ConstantSpeed,
+                 50.0,
+                 0.002,
+                 5.0,
+                 20.0},
+                {3,
+                 {Vec3(-100.0, 5.0, 6.0), -2.0, 0.0},
+                 Vec3(-1.0, -2.0, -3.0),
+                 VehicleType::ConstantSpeed,
+                 49.0,
+                 0.001,
+                 4.0,
+                 21.0}};
+  m.zones = {{Cylinder{Vec2(7.0, 8.0), 9.0, -10.0, 11.0}, false},
+             {Box{Vec3(1.0, 2.0, 3.0), Vec3(4.0, 5.0, 6.0)}, true}};
+  m.planner.particles = 21;
+  m.planner.search_max_chords = 5.5;
+  m.planner.equalise_rounds = 41;
+  return m;
+}
+
+inline Tick tick() {
+  Tick t;
+  t.run = 77;
+  t.step = 5;
+  t.round = 6;
+  t.phase = Phase::Flying;
+  t.time_s = 2.5;
+  t.roster = {{1, 1, 0x1111, true, false}, {3, 2, 0x3333, false, true}};
+  t.refused = {{0x4444, RefusalReason::UnknownId}};
+  t.world_hash = 0xfedcba9876543210;
+  return t;
+}
+
+inline Sense sense() {
+  return {77, 3, 2, 6, {Vec3(1.5, -2.5, 3.5), 0.75, -0.25}, Vec3(4.0, -5.0, 6.0)};
+}
+
+inline Representative representative() {
+  return {77, 3, 2, 6, PlanStage::Aligning, Constraint::NoFly, {1234.5, -0.0}, 17.25, 35000.0, 35100.0};
+}
+
+inline Beacon beacon() {
+  Beacon b;
+  b.run = 77;
+  b.agent = 3;
+  b.incarnation = 2;
+  b.nonce = 0x3333;
+  b.step = 5;
+  b.round = 6;
+  b.closes_round = true;
+  b.representative = true;
+  b.matched = {0x10, 0x1111};
+  b.needs = {{1, 6}};
+  b.mode = AgentMode::Failed;
+  b.constraint = Constraint::Separation;
+  b.constraint_peer = 1;
+  b.pose = {Vec3(1.0, 2.0, 3.0), 4.0, 0.5};
+  b.commanded_velocity_mps = Vec3(6.0, 7.0, 8.0);
+  b.planned_length_m = 35050.0;
+  b.cost = -3.5;
+  b.generation = 9;
+  b.state_hash = 0x0123456789abcdef;
+  return b;
+}
+
+}  // namespace skein::examples

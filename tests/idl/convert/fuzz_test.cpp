@@ -1,0 +1,93 @@
+// Random and mutilated bytes through every decoder: none crashes, and what passes is within the limits.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/idl/convert/cdr.hpp"
+#include "tests/idl/convert/examples.hpp"
+
+namespace skein {
+namespace {
+
+constexpr int kRuns = 10000;
+
+testing::Bytes random_bytes(std::mt19937_64& random) {
+  testing::Bytes bytes(random() % 400);
+  for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
+  if (bytes.size() >= 4) bytes[0] = 0, bytes[1] = static_cast<std::uint8_t>(random() % 2);
+  return bytes;
+}
+
+/// A valid sample with some bytes changed, and sometimes its end cut off.
+testing::Bytes mutilated(testing::Bytes bytes, std::mt19937_64& random) {
+  const auto changes = 1 + random() % 4;
+  for (std::uint64_t i = 0; i < changes; ++i) {
+    const std::size_t place = 4 + random() % (bytes.size() - 4);
+    bytes[place] = random() % 3 == 0 ? std::uint8_t{0xff} : static_cast<std::uint8_t>(random());
+  }
+  if (random() % 8 == 0) bytes.resize(4 + random() % (bytes.size() - 4));
+  return bytes;
+}
+
+struct Outcome {
+  int undecodable = 0;
+  int refused = 0;
+  int passed = 0;
+};
+
+template <typename Wire>
+void try_bytes(const testing::Bytes& bytes, Outcome& outcome) {
+  const auto sample = testing::decode<Wire>(bytes);
+  if (!sample) {
+    ++outcome.undecodable;
+    return;
+  }
+  const auto checked = from_wire(*sample, {});
+  if (!checked) {
+    ++outcome.refused;
+    EXPECT_FALSE(checked.fault().where.empty());
+    return;
+  }
+  ++outcome.passed;
+  // A NaN would not equal itself: equality after another round proves that none passed, and that nothing was lost.
+  const auto again = from_wire(to_wire(checked.value(), examples::kStamp), {});
+  ASSERT_TRUE(again.ok()) << again.fault().where;
+  EXPECT_EQ(again.value(), checked.value());
+}
+
+template <typename Plain>
+void fuzz(const Plain& example) {
+  const auto valid = testing::encode(to_wire(example, examples::kStamp));
+  using Wire = decltype(to_wire(example, examples::kStamp));
+  std::mt19937_64 random(20240601);
+  Outcome noise;
+  Outcome near;
+  for (int i = 0; i < kRuns; ++i) {
+    try_bytes<Wire>(random_bytes(random), noise);
+    try_bytes<Wire>(mutilated(valid, random), near);
+  }
+  EXPECT_EQ(noise.passed + noise.refused + noise.undecodable, kRuns);
+  EXPECT_EQ(noise.passed, 0);
+  EXPECT_GT(near.passed, 0);
+  EXPECT_GT(near.refused, 0);
+  EXPECT_GT(near.undecodable, 0);
+}
+
+TEST(Fuzz, Mission) {
+  fuzz(examples::mission());
+}
+TEST(Fuzz, Tick) {
+  fuzz(examples::tick());
+}
+TEST(Fuzz, Sense) {
+  fuzz(examples::sense());
+}
+TEST(Fuzz, Representative) {
+  fuzz(examples::representative());
+}
+TEST(Fuzz, Beacon) {
+  fuzz(examples::beacon());
+}
+
+}  // namespace
+}  // namespace skein

@@ -1,0 +1,190 @@
+// Each kind of bad sample is refused, with its reason and the field that is wrong.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <limits>
+
+#include "tests/idl/convert/examples.hpp"
+
+namespace skein {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const std::vector<RosterEntry> kRoster{{1, 1, 0x1111, true, true}, {3, 2, 0x3333, true, true}};
+const std::vector<AgentId> kKnown{1, 3};
+
+WireContext strict() {
+  return {.run = 77, .known = kKnown, .roster = std::span<const RosterEntry>(kRoster), .particle_size = 2};
+}
+
+template <typename Wire>
+struct Case {
+  std::string_view where;
+  WireFaultReason reason;
+  std::function<void(Wire&)> spoil;
+};
+
+template <typename Wire>
+void expect_refused(const Wire& valid, const std::vector<Case<Wire>>& cases) {
+  ASSERT_TRUE(from_wire(valid, strict()).ok()) << from_wire(valid, strict()).fault().where;
+  for (const Case<Wire>& bad : cases) {
+    Wire sample = valid;
+    bad.spoil(sample);
+    const auto checked = from_wire(sample, strict());
+    ASSERT_FALSE(checked.ok()) << bad.where;
+    EXPECT_EQ(checked.fault().where, bad.where);
+    EXPECT_EQ(checked.fault().reason, bad.reason)
+        << bad.where << ": " << name_of(checked.fault().reason) << ", not " << name_of(bad.reason);
+  }
+}
+
+using enum WireFaultReason;
+
+TEST(Refusal, Mission) {
+  using W = wire::Mission;
+  expect_refused<W>(
+      to_wire(examples::mission(), examples::kStamp),
+      {{"mission.head.sender", WrongSender, [](W& m) { m.head().sender(1); }},
+       {"mission.head.run", WrongRun, [](W& m) { m.head().run(78); }},
+       {"mission.name", OutOfRange, [](W& m) { m.name("a\nb"); }},
+       {"mission.kind", BadEnum, [](W& m) { m.kind(0); }},
+       {"mission.length_unit_m", OutOfRange, [](W& m) { m.length_unit_m(0.0); }},
+       {"mission.step_s", OutOfRange, [](W& m) { m.step_s(0.0); }},
+       {"mission.step_s", NonFinite, [](W& m) { m.step_s(kInfinity); }},
+       {"mission.formation", NonFinite, [](W& m) { m.formation().position_m().y(kNan); }},
+       {"mission.formation", OutOfRange, [](W& m) { m.formation().climb_rad(1.6); }},
+       {"mission.arrival_radius_m", OutOfRange, [](W& m) { m.arrival_radius_m(-1.0); }},
+       {"mission.vehicles", BadMission, [](W& m) { m.vehicles().clear(); }},
+       {"mission.vehicles", OutOfRange, [](W& m) { m.vehicles().resize(257); }},
+       {"mission.zones", OutOfRange, [](W& m) { m.zones().resize(1025); }},
+       {"mission.vehicles", BadOrder, [](W& m) { m.vehicles()[1].agent(1); }},
+       {"mission.vehicles", BadOrder, [](W& m) { std::swap(m.vehicles()[0], m.vehicles()[1]); }},
+       {"mission.vehicles.agent", UnknownAgent, [](W& m) { m.vehicles()[0].agent(0); }},
+       {"mission.vehicles.agent", UnknownAgent, [](W& m) { m.vehicles()[1].agent(257); }},
+       {"mission.vehicles.start", OutOfRange, [](W& m) { m.vehicles()[0].start().position_m().x(2e7); }},
+       {"mission.vehicles.slot_offset_m", NonFinite, [](W& m) { m.vehicles()[0].slot_offset_m().z(-kInfinity); }},
+       {"mission.vehicles.kind", BadEnum, [](W& m) { m.vehicles()[0].kind(9); }},
+       {"mission.vehicles.speed_mps", OutOfRange, [](W& m) { m.vehicles()[0].speed_mps(-1.0); }},
+       {"mission.vehicles.max_curvature_per_m", NonFinite, [](W& m) { m.vehicles()[0].max_curvature_per_m(kNan); }},
+       {"mission.vehicles.radius_m", OutOfRange, [](W& m) { m.vehicles()[0].radius_m(-1e-9); }},
+       {"mission.vehicles.safety_radius_m", OutOfRange, [](W& m) { m.vehicles()[1].safety_radius_m(1e8); }}});
+}
+
+TEST(Refusal, MissionZonesAndOptions) {
+  using W = wire::Mission;
+  expect_refused<W>(to_wire(examples::mission(), examples::kStamp),
+                    {{"mission.zones.shape", BadEnum, [](W& m) { m.zones()[0].shape(2); }},
+                     {"mission.zones.min_m", NonFinite, [](W& m) { m.zones()[0].min_m().x(kNan); }},
+                     {"mission.zones.radius_m", OutOfRange, [](W& m) { m.zones()[0].radius_m(-9.0); }},
+                     {"mission.zones.max_m", OutOfRange, [](W& m) { m.zones()[1].max_m().x(1e9); }},
+                     {"mission.zones.max_m.z", BadMission, [](W& m) { m.zones()[0].max_m().z(-11.0); }},
+                     {"mission.zones.max_m.x", BadMission, [](W& m) { m.zones()[1].max_m().x(0.0); }},
+                     {"mission.zones.max_m.y", BadMission, [](W& m) { m.zones()[1].max_m().y(0.0); }},
+                     {"mission.planner", BadOptions, [](W& m) { m.planner().name("nonesuch"); }},
+                     {"mission.planner", BadOptions, [](W& m) { m.planner().particles(-5); }},
+                     {"mission.planner", BadOptions, [](W& m) { m.planner().search_min_chords(50.0); }},
+                     {"mission.planner", NonFinite, [](W& m) { m.planner().inertia_end(kNan); }}});
+}
+
+TEST(Refusal, Tick) {
+  using W = wire::Tick;
+  expect_refused<W>(to_wire(examples::tick(), examples::kStamp),
+                    {{"tick.head.sender", WrongSender, [](W& t) { t.head().sender(3); }},
+                     {"tick.head.run", WrongRun, [](W& t) { t.head().run(0); }},
+                     {"tick.phase", BadEnum, [](W& t) { t.phase(4); }},
+                     {"tick.time_s", NonFinite, [](W& t) { t.time_s(kNan); }},
+                     {"tick.time_s", OutOfRange, [](W& t) { t.time_s(-0.5); }},
+                     {"tick.roster", OutOfRange, [](W& t) { t.roster().resize(257); }},
+                     {"tick.refused", OutOfRange, [](W& t) { t.refused().resize(257); }},
+                     {"tick.roster", BadOrder, [](W& t) { t.roster()[0].agent(3); }},
+                     {"tick.roster", BadOrder, [](W& t) { std::swap(t.roster()[0], t.roster()[1]); }},
+                     {"tick.roster.agent", UnknownAgent, [](W& t) { t.roster()[0].agent(2); }},
+                     {"tick.roster.incarnation", OutOfRange, [](W& t) { t.roster()[0].incarnation(0); }},
+                     {"tick.refused.reason", BadEnum, [](W& t) { t.refused()[0].reason(0); }}});
+}
+
+TEST(Refusal, Sense) {
+  using W = wire::Sense;
+  expect_refused<W>(to_wire(examples::sense(), examples::kStamp),
+                    {{"sense.head.sender", WrongSender, [](W& s) { s.head().sender(3); }},
+                     {"sense.head.run", WrongRun, [](W& s) { s.head().run(1); }},
+                     {"sense.agent", UnknownAgent, [](W& s) { s.agent(2); }},
+                     {"sense.agent", UnknownAgent, [](W& s) { s.agent(0); }},
+                     {"sense.head.incarnation", WrongIncarnation, [](W& s) { s.head().incarnation(1); }},
+                     {"sense.own", NonFinite, [](W& s) { s.own().heading_rad(kNan); }},
+                     {"sense.own", OutOfRange, [](W& s) { s.own().heading_rad(1e4); }},
+                     {"sense.velocity_mps", OutOfRange, [](W& s) { s.velocity_mps().x(1e5); }},
+                     {"sense.velocity_mps", NonFinite, [](W& s) { s.velocity_mps().y(kInfinity); }}});
+}
+
+TEST(Refusal, Representative) {
+  using W = wire::Representative;
+  expect_refused<W>(to_wire(examples::representative(), examples::kStamp),
+                    {{"representative.agent", UnknownAgent, [](W& r) { r.agent(2); }},
+                     {"representative.head.sender", WrongSender, [](W& r) { r.head().sender(1); }},
+                     {"representative.head.run", WrongRun, [](W& r) { r.head().run(0); }},
+                     {"representative.head.incarnation", WrongIncarnation, [](W& r) { r.head().incarnation(0); }},
+                     {"representative.head.incarnation", WrongIncarnation, [](W& r) { r.head().incarnation(3); }},
+                     {"representative.stage", BadEnum, [](W& r) { r.stage(0); }},
+                     {"representative.violated", BadEnum, [](W& r) { r.violated(6); }},
+                     {"representative.particle", OutOfRange, [](W& r) { r.particle().resize(17); }},
+                     {"representative.particle", OutOfRange, [](W& r) { r.particle().resize(1); }},
+                     {"representative.particle", NonFinite, [](W& r) { r.particle()[1] = kNan; }},
+                     {"representative.particle", OutOfRange, [](W& r) { r.particle()[0] = -1e11; }},
+                     {"representative.cost", NonFinite, [](W& r) { r.cost(kInfinity); }},
+                     {"representative.own_length_m", OutOfRange, [](W& r) { r.own_length_m(-1.0); }},
+                     {"representative.path_length_m", NonFinite, [](W& r) { r.path_length_m(kNan); }}});
+}
+
+TEST(Refusal, Beacon) {
+  using W = wire::Beacon;
+  expect_refused<W>(to_wire(examples::beacon(), examples::kStamp),
+                    {{"beacon.agent", UnknownAgent, [](W& b) { b.agent(300); }},
+                     {"beacon.head.sender", WrongSender, [](W& b) { b.head().sender(0); }},
+                     {"beacon.head.run", WrongRun, [](W& b) { b.head().run(76); }},
+                     {"beacon.head.run", WrongRun, [](W& b) { b.head().run(76), b.head().incarnation(0); }},
+                     {"beacon.head.incarnation", WrongIncarnation, [](W& b) { b.head().incarnation(1); }},
+                     {"beacon.head.incarnation", WrongIncarnation, [](W& b) { b.nonce(0x3334); }},
+                     {"beacon.matched", OutOfRange, [](W& b) { b.matched().resize(258); }},
+                     {"beacon.needs", OutOfRange, [](W& b) { b.needs().resize(513); }},
+                     {"beacon.matched", BadOrder, [](W& b) { b.matched()[1] = b.matched()[0]; }},
+                     {"beacon.needs.agent", UnknownAgent, [](W& b) { b.needs()[0].agent(0); }},
+                     {"beacon.mode", BadEnum, [](W& b) { b.mode(7); }},
+                     {"beacon.failing", BadEnum, [](W& b) { b.failing(255); }},
+                     {"beacon.failing_peer", UnknownAgent, [](W& b) { b.failing_peer(2); }},
+                     {"beacon.own", NonFinite, [](W& b) { b.own().position_m().z(kNan); }},
+                     {"beacon.commanded_velocity_mps", OutOfRange, [](W& b) { b.commanded_velocity_mps().z(-2e4); }},
+                     {"beacon.planned_length_m", OutOfRange, [](W& b) { b.planned_length_m(-1.0); }},
+                     {"beacon.cost", NonFinite, [](W& b) { b.cost(kNan); }}});
+}
+
+TEST(Refusal, AnIntroductionPassesWithoutRunAndRoster) {
+  Beacon introduction = examples::beacon();
+  introduction.incarnation = 0;
+  introduction.run = 0;
+  introduction.nonce = 0x9999;
+  EXPECT_EQ(from_wire(to_wire(introduction, examples::kStamp), strict()).value(), introduction);
+}
+
+TEST(Refusal, AnEmptyRosterLetsNobodyPass) {
+  WireContext context = strict();
+  context.roster = std::span<const RosterEntry>();
+  const auto checked = from_wire(to_wire(examples::representative(), examples::kStamp), context);
+  ASSERT_FALSE(checked.ok());
+  EXPECT_EQ(checked.fault().reason, WrongIncarnation);
+}
+
+TEST(Refusal, WithoutContextAnyLegalIdRunAndIncarnationPasses) {
+  Representative other = examples::representative();
+  other.run = 5;
+  other.agent = kMaxAgents;
+  other.incarnation = 9;
+  EXPECT_TRUE(from_wire(to_wire(other, examples::kStamp), {}).ok());
+  other.agent = kMaxAgents + 1;
+  EXPECT_EQ(from_wire(to_wire(other, examples::kStamp), {}).fault().reason, UnknownAgent);
+}
+
+}  // namespace
+}  // namespace skein

@@ -1,0 +1,117 @@
+// Every field survives plain -> wire -> CDR bytes -> wire -> plain, bit for bit.
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "tests/idl/convert/cdr.hpp"
+#include "tests/idl/convert/examples.hpp"
+
+namespace skein {
+namespace {
+
+template <typename Plain>
+Checked<Plain> there_and_back(const Plain& value, const WireContext& context = {}) {
+  const auto sample = to_wire(value, examples::kStamp);
+  const auto carried = testing::decode<std::decay_t<decltype(sample)>>(testing::encode(sample));
+  EXPECT_TRUE(carried.has_value());
+  return from_wire(carried.value_or(sample), context);
+}
+
+TEST(RoundTrip, Mission) {
+  EXPECT_EQ(there_and_back(examples::mission()).value(), examples::mission());
+}
+TEST(RoundTrip, Tick) {
+  EXPECT_EQ(there_and_back(examples::tick()).value(), examples::tick());
+}
+TEST(RoundTrip, Sense) {
+  EXPECT_EQ(there_and_back(examples::sense()).value(), examples::sense());
+}
+TEST(RoundTrip, Beacon) {
+  EXPECT_EQ(there_and_back(examples::beacon()).value(), examples::beacon());
+}
+TEST(RoundTrip, Representative) {
+  EXPECT_EQ(there_and_back(examples::representative()).value(), examples::representative());
+}
+
+TEST(RoundTrip, KeepsTheSignOfZero) {
+  const Representative back = there_and_back(examples::representative()).value();
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(back.particle[1]), std::bit_cast<std::uint64_t>(-0.0));
+}
+
+TEST(RoundTrip, EveryPlannerOptionTravels) {
+  const Mission before = examples::mission();
+  for (const RendezvousField& field : kRendezvousFields) {
+    Mission changed = before;
+    std::visit(
+        [&](auto member) {
+          auto& value = changed.planner.*member;
+          value = static_cast<std::decay_t<decltype(value)>>(value == field.max ? field.min : field.max);
+        },
+        field.member);
+    if (validate(changed.planner)) continue;
+    EXPECT_NE(changed, before) << field.key;
+    EXPECT_EQ(there_and_back(changed).value(), changed) << field.key;
+  }
+}
+
+TEST(RoundTrip, TheLargestOfEverything) {
+  Mission m = examples::mission();
+  m.name = std::string(wire::kMaxName, 'n');
+  m.vehicles.clear();
+  for (AgentId id = 1; id <= kMaxAgents; ++id) {
+    m.vehicles.push_back(examples::mission().vehicles[0]);
+    m.vehicles.back().id = id;
+  }
+  m.zones.assign(wire::kMaxZones, examples::mission().zones[0]);
+  EXPECT_EQ(there_and_back(m).value(), m);
+
+  Tick t = examples::tick();
+  t.roster.clear();
+  for (AgentId id = 1; id <= kMaxAgents; ++id) t.roster.push_back({id, 1, id, true, true});
+  t.refused.assign(wire::kMaxRefused, {9, RefusalReason::RunStarted});
+  EXPECT_EQ(there_and_back(t).value(), t);
+
+  Beacon b = examples::beacon();
+  b.matched.clear();
+  for (std::uint64_t nonce = 0; nonce < wire::kMaxMatched; ++nonce) b.matched.push_back(nonce);
+  b.needs.assign(wire::kMaxNeeds, {1, 1});
+  EXPECT_EQ(there_and_back(b).value(), b);
+
+  Representative r = examples::representative();
+  r.particle.assign(wire::kMaxParticle, 1.0);
+  EXPECT_EQ(there_and_back(r).value(), r);
+}
+
+TEST(RoundTrip, TheHeaderSaysRunStampSenderAndIncarnation) {
+  const wire::Representative sample = to_wire(examples::representative(), examples::kStamp);
+  EXPECT_EQ(sample.head().run(), 77u);
+  EXPECT_EQ(sample.head().stamp_ns(), examples::kStamp.stamp_ns);
+  EXPECT_EQ(sample.head().sender(), 3u);
+  EXPECT_EQ(sample.head().incarnation(), 2u);
+  EXPECT_EQ(to_wire(examples::mission(), examples::kStamp).head().run(), 77u);
+  EXPECT_EQ(to_wire(examples::sense(), examples::kStamp).head().sender(), kWorldId);
+}
+
+TEST(RoundTrip, WhatIsOverTheBoundsOfTheWireThrows) {
+  Mission name = examples::mission();
+  name.name = std::string(wire::kMaxName + 1, 'n');
+  EXPECT_THROW((void)to_wire(name, examples::kStamp), std::invalid_argument);
+  Mission planner = examples::mission();
+  planner.planner.name = std::string(33, 'n');
+  EXPECT_THROW((void)to_wire(planner, examples::kStamp), std::invalid_argument);
+  Mission zones = examples::mission();
+  zones.zones.resize(wire::kMaxZones + 1);
+  EXPECT_THROW((void)to_wire(zones, examples::kStamp), std::invalid_argument);
+  Representative particle = examples::representative();
+  particle.particle.resize(wire::kMaxParticle + 1);
+  EXPECT_THROW((void)to_wire(particle, examples::kStamp), std::invalid_argument);
+  Tick roster = examples::tick();
+  roster.roster.resize(kMaxAgents + 1);
+  EXPECT_THROW((void)to_wire(roster, examples::kStamp), std::invalid_argument);
+  Beacon matched = examples::beacon();
+  matched.matched.resize(wire::kMaxMatched + 1);
+  EXPECT_THROW((void)to_wire(matched, examples::kStamp), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace skein
