@@ -1,0 +1,85 @@
+// Agreement of the swarm on one common path length, in rounds, each UAV deciding for itself from what all published.
+//
+//   round 1   publish the length of the best own path, proved (align/alone) if it may be the longest of the swarm
+//   round r   target = the longest length published in round r - 1, one's own included
+//             not at the target, or in conflict with a UAV of lower id that is: choose the cheapest path of that
+//             length that is proved feasible and clear of those; if there is none, the smallest longer length that
+//             has one, which raises the target for all
+//             else keep the path; Settled if everybody is at the target, feasible and clear of everybody
+//   the end   all were Settled in round r - 1: Agreed in round r. More than `equalise_rounds` rounds: Failed.
+// Both ends are decided by samples that all live UAVs see alike, so all reach them in the same round, whoever is lost
+// on the way; and a UAV that published Settled has not moved since it was found clear.
+//
+// Source: papers/001, Remark 3 and Eq. 17. Departs from source: exact lengths, right of way by id, proof between
+// samples. Complexity: a round costs O(directions (lengths + evaluation)) and some dense checks, or nothing.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "planner/core/hash/state_hash.hpp"
+#include "planner/core/lockstep/samples.hpp"
+#include "planner/rendezvous/align/alone.hpp"
+
+namespace skein::rendezvous {
+
+class Aligner {
+ public:
+  enum class Outcome : std::uint8_t {
+    Aligning = 0,  ///< rounds go on
+    Agreed = 1,    ///< all live UAVs have settled at one length
+    Failed = 2,    ///< the rounds are used up
+  };
+
+  /// `own_best` and `group_best`: the sub-swarm's best by own and by modified cost.
+  Aligner(const ph::Controls& own_best, const ph::Controls& group_best);
+
+  /// One round. `peers`: checked representatives of the round before, by ascending id.
+  Outcome advance(const Problem& problem, std::span<const Representative> peers);
+
+  [[nodiscard]] bool settled() const { return settled_; }
+  [[nodiscard]] const ph::Controls& controls() const { return controls_; }
+  [[nodiscard]] double length_m() const { return length_m_; }
+  /// What keeps this UAV from settling, and the peer of a failed separation (else 0). After Failed: what the swarm
+  /// failed by; if that is another UAV's trouble, its constraint and its id; Length if nobody named any.
+  [[nodiscard]] Constraint violated() const { return violated_; }
+  [[nodiscard]] AgentId violated_peer() const { return violated_peer_; }
+
+  void add_to(StateHash& hash) const;
+
+ private:
+  struct Peer {
+    AgentId id;
+    ph::Controls controls;
+    double separation_m;
+    bool at_target;
+    DensePath dense;
+  };
+
+  void open(const Problem& problem, std::span<const Representative> peers);
+  void prove(const Problem& problem);
+  void blame(std::span<const Representative> peers);
+  void look_at(const Problem& problem, std::span<const Representative> peers, double target_m);
+  [[nodiscard]] AgentId conflict(const DensePath& dense, AgentId below) const;
+  [[nodiscard]] bool choose(const Problem& problem, double target_m);
+  [[nodiscard]] bool choose_among(const Problem& problem, const std::vector<ph::Controls>& candidates);
+  void move_to(const Problem& problem, double target_m);
+  [[nodiscard]] std::uint64_t task_of(const Problem& problem, double target_m) const;
+
+  ph::Controls own_best_;
+  ph::Controls group_best_;
+  ph::Controls controls_;
+  double length_m_ = 0.0;
+  bool feasible_alone_ = true;
+  bool settled_ = false;
+  Constraint violated_ = Constraint::None;
+  AgentId violated_peer_ = 0;
+  std::int32_t round_ = 0;
+  std::uint64_t failed_task_ = 0;  ///< the last choice that found nothing
+  Outcome outcome_ = Outcome::Aligning;
+  std::optional<DensePath> dense_;  ///< of controls_
+  std::vector<Peer> peers_;         ///< of the round before; kept to save sampling unchanged paths again
+};
+
+}  // namespace skein::rendezvous

@@ -1,0 +1,67 @@
+// The cost of one candidate path, term by term, and its modification by the other UAVs' representatives.
+//
+//   1 / f  = w1 L + (1 - w1) E + J_obsc + J_nofly + J_unflyable                                  (Eq. 11)
+//   1 / f' = 1 / f + J_collision + J_dtime                                                       (Eq. 14)
+// with a fixed penalty for each violated constraint (Eq. 11, 12, 15) and J_dtime = 100 |L - Lref|^2 for all but the
+// reference UAV (Eq. 16). Zones and curvature are checked at Np points of equal parameter distance, separation at Nph
+// = Np points of equal arc length, those with the same number being reached at the same time (Eq. 17).
+//
+// Source: papers/001, section 3.2.3 and 3.2.4. Departs from source: between neighbouring points the chord is held
+// against the zones as well, so that no corner slips through the 50 points; the strict inequality of Eq. 17 is kept as
+// 'not less than'. Complexity: O(Np (zones + Newton)) to evaluate, O(Np peers) to modify.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "planner/core/lockstep/samples.hpp"
+#include "planner/rendezvous/cost/problem.hpp"
+
+namespace skein::rendezvous {
+
+/// Every term of Eq. 11 and 14, in the mission's length unit (energy: per unit), before weighting.
+struct CostTerms {
+  double length = 0.0;        ///< J_fuel
+  double curve_energy = 0.0;  ///< J_curve
+  double obstacle = 0.0;      ///< J_obsc
+  double no_fly = 0.0;        ///< J_nofly
+  double unflyable = 0.0;     ///< J_unflyable, Eq. 12
+  double collision = 0.0;     ///< J_collision, Eq. 15
+  double dtime = 0.0;         ///< J_dtime, Eq. 16
+
+  bool operator==(const CostTerms&) const = default;
+};
+
+/// 1 / f of Eq. 11: the cost of a path for itself.
+[[nodiscard]] double own_cost(const CostTerms& terms, double length_weight);
+/// 1 / f' of Eq. 14: the cost of a path in its cooperative group.
+[[nodiscard]] double modified_cost(const CostTerms& terms, double length_weight);
+/// The first constraint that a path violates, in the order of the enumeration; length counts as none.
+[[nodiscard]] Constraint first_violation(const CostTerms& terms);
+
+/// A candidate with everything that its cost needs; reusable without allocation.
+struct Evaluation {
+  ph::Controls controls;
+  double length_m = 0.0;
+  CostTerms terms;
+  double own = 0.0;            ///< own_cost
+  double modified = 0.0;       ///< modified_cost
+  std::vector<Vec2> points_m;  ///< Nph equidistant points
+};
+
+/// The representative of a peer, as modification needs it.
+struct PeerPath {
+  AgentId id = 0;
+  double separation_m = 0.0;   ///< to be kept from it
+  std::vector<Vec2> points_m;  ///< Nph equidistant points
+};
+
+/// Fills `into` for controls within the search range: terms of Eq. 11; collision and dtime 0, modified = own.
+void evaluate(const Problem& problem, const ph::Controls& controls, Evaluation& into);
+
+/// Sets collision and dtime. `reference_length_m`: Lref, or nothing for the reference UAV itself.
+void modify(const Problem& problem, std::span<const PeerPath> peers, std::optional<double> reference_length_m,
+            Evaluation& evaluation);
+
+}  // namespace skein::rendezvous

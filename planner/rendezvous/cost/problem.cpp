@@ -1,0 +1,98 @@
+#include "planner/rendezvous/cost/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "planner/core/geometry/distance.hpp"
+
+namespace skein::rendezvous {
+namespace {
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument("rendezvous: " + what);
+}
+
+Participant participant(const Mission& mission, const VehicleSpec& vehicle) {
+  const std::string name = "vehicle " + std::to_string(vehicle.id);
+  const Pose slot = slot_pose(mission, vehicle);
+  require(vehicle.start.climb_rad == 0.0 && slot.climb_rad == 0.0, name + " climbs; allowed: climb 0");
+  require(vehicle.start.position_m.z() == slot.position_m.z(), name + " starts at another altitude than its slot");
+  require(vehicle.speed_mps > 0.0 && vehicle.speed_mps == mission.vehicles.front().speed_mps,
+          name + " has another speed; allowed: one positive speed for all");
+  require(vehicle.max_curvature_per_m > 0.0, name + " has no positive curvature limit");
+  require(vehicle.radius_m >= 0.0 && vehicle.safety_radius_m >= 0.0, name + " has a negative radius");
+  const ph::PlanarPose start{vehicle.start.position_m.head<2>(), vehicle.start.heading_rad};
+  const ph::PlanarPose end{slot.position_m.head<2>(), slot.heading_rad};
+  require(start.position_m != end.position_m, name + " starts in its slot");
+  const ph::Hermite hermite(start, end);
+  const Interval range{mission.planner.search_min_chords * hermite.chord_m(),
+                       mission.planner.search_max_chords * hermite.chord_m()};
+  return {vehicle.id, hermite, range, slot.position_m.z(), vehicle.safety_radius_m};
+}
+
+PlanarZone planar(const Zone& zone) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&zone.shape)) {
+    return {zone.shape, zone.no_fly, cylinder->centre_m, cylinder->radius_m};
+  }
+  const Box& box = std::get<Box>(zone.shape);
+  const Vec2 half = 0.5 * (box.max_m - box.min_m).head<2>();
+  return {zone.shape, zone.no_fly, box.min_m.head<2>() + half, half.norm()};
+}
+
+bool reaches(const Zone& zone, double altitude_m, double keep_out_m) {
+  const Interval heights = std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.radius_m; }) {
+          return Interval{shape.z_min_m, shape.z_max_m};
+        } else {
+          return Interval{shape.min_m.z(), shape.max_m.z()};
+        }
+      },
+      zone.shape);
+  return altitude_m >= heights.min - keep_out_m && altitude_m <= heights.max + keep_out_m;
+}
+
+}  // namespace
+
+Problem make_problem(const Mission& mission, AgentId self) {
+  require(mission.kind == MissionKind::Rendezvous, "the mission is of another kind");
+  require(mission.length_unit_m > 0.0, "length_unit_m must be positive");
+  if (const auto fault = validate(mission.planner)) throw std::invalid_argument("rendezvous: " + fault->message);
+  const VehicleSpec& own = vehicle_of(mission, self);
+  Problem problem;
+  for (const VehicleSpec& vehicle : mission.vehicles) {
+    require(problem.participants.empty() || problem.participants.back().id < vehicle.id,
+            "vehicles must be listed by ascending id");
+    if (vehicle.id == self) problem.self = problem.participants.size();
+    problem.participants.push_back(participant(mission, vehicle));
+  }
+  problem.keep_out_m = own.radius_m + mission.planner.clearance_margin_m;
+  for (const Zone& zone : mission.zones) {
+    if (reaches(zone, problem.own().altitude_m, problem.keep_out_m)) problem.zones.push_back(planar(zone));
+  }
+  problem.max_curvature_per_m = own.max_curvature_per_m * (1.0 - kCurvatureReserve);
+  problem.length_unit_m = mission.length_unit_m;
+  problem.seed = mission.seed;
+  problem.options = mission.planner;
+  return problem;
+}
+
+const Participant& participant_of(const Problem& problem, AgentId id) {
+  const auto found = std::ranges::find(problem.participants, id, &Participant::id);
+  require(found != problem.participants.end(), "no participant " + std::to_string(id));
+  return *found;
+}
+
+double required_separation_m(const Participant& a, const Participant& b) {
+  const double sum = a.safety_radius_m + b.safety_radius_m;
+  const double height = a.altitude_m - b.altitude_m;
+  return std::sqrt(std::max(0.0, sum * sum - height * height));
+}
+
+double distance_m(const PlanarZone& zone, const Vec2& a, const Vec2& b) {
+  return std::visit([&](const auto& shape) { return signed_distance(a, b, shape); }, zone.shape);
+}
+
+}  // namespace skein::rendezvous
