@@ -35,7 +35,8 @@ list_missing() {
   done
 }
 
-has_candidate() { [[ $(LC_ALL=C apt-cache policy "$1" 2>/dev/null) == *'Candidate: '[0-9]* ]]; }
+# apt-cache takes an unknown name for a pattern, so the answer must begin with the name itself.
+has_candidate() { [[ $(LC_ALL=C apt-cache policy "$1" 2>/dev/null) == "$1:"*'Candidate: '[0-9]* ]]; }
 
 # Prints those of the missing packages that the lists do not offer.
 list_unknown() {
