@@ -1,0 +1,82 @@
+// The ports over DDS: one process owns one, and with it one DDS participant.
+//
+// A port is ready when constructed and leaves the bus when destroyed. Threads of DDS only queue what arrives and ring
+// an eventfd; the owner waits on wake_fd() and calls take(), which quietens it. Samples are published at once, in the
+// calling thread. UDP alone by default, with nothing in /dev/shm; Profile::Shm adds shared memory.
+// Block the signals that a process handles before it makes a port: the threads of DDS inherit the mask.
+// A port is used by one thread; conflict(), matched() and wake_fd() may be asked from any.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idl/bus/port.hpp"
+#include "planner/core/mission/mission.hpp"
+
+namespace skein::bus {
+
+enum class Profile : std::uint8_t { Udp, Shm };
+
+struct DdsConfig {
+  std::uint32_t domain = 0;     ///< 0 to 232
+  std::string swarm = "skein";  ///< 1 to 64 letters, digits, - and _; the partition
+  Profile profile = Profile::Udp;
+  AgentId id = kWorldId;            ///< of the agent; not used by a world
+  std::uint64_t nonce = 0;          ///< random, one a process
+  std::int64_t start_stamp_ns = 0;  ///< when the process started: of two worlds in a swarm the earlier stays
+  double lease_s = 20.0;            ///< after which a silent process counts as gone from the bus; 1 or more
+  std::uint32_t wire_version = wire::kWireVersion;  ///< what USER_DATA says; other values are for tests
+};
+
+class DdsAgentPort final : public AgentPort {
+ public:
+  /// @throws std::invalid_argument for a config out of range (id 1 to kMaxAgents), std::runtime_error if DDS cannot
+  /// make the participant or an endpoint.
+  explicit DdsAgentPort(const DdsConfig& config);
+  ~DdsAgentPort() override;
+
+  void publish(const AgentOutbound& sample) override;
+  void take(std::vector<AgentInbound>& into) override;
+  [[nodiscard]] std::vector<std::uint64_t> matched() const override;
+
+  /// Readable when something arrived or a match changed since the last take().
+  [[nodiscard]] int wake_fd() const;
+  /// Waits until every matched reader has acknowledged everything; false if that took longer than `limit`.
+  [[nodiscard]] bool flush(std::chrono::milliseconds limit);
+  /// Why this process must end with exit code 3, in one line: a world of the swarm with another wire version.
+  [[nodiscard]] std::optional<std::string> conflict() const;
+  /// Samples lost on this side: inbox full, or not accepted by DDS.
+  [[nodiscard]] std::uint64_t lost() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+class DdsWorldPort final : public WorldPort {
+ public:
+  /// `agents`: the ids that get a sense topic, each once. Throws as DdsAgentPort does.
+  DdsWorldPort(const DdsConfig& config, std::span<const AgentId> agents);
+  ~DdsWorldPort() override;
+
+  void publish(const WorldOutbound& sample) override;
+  void take(std::vector<WorldInbound>& into) override;
+  [[nodiscard]] std::vector<std::uint64_t> matched() const override;
+
+  [[nodiscard]] int wake_fd() const;
+  [[nodiscard]] bool flush(std::chrono::milliseconds limit);
+  /// Why this process must end with exit code 3, in one line: another world of the swarm that started earlier.
+  [[nodiscard]] std::optional<std::string> conflict() const;
+  [[nodiscard]] std::uint64_t lost() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace skein::bus

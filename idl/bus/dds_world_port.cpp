@@ -1,0 +1,99 @@
+#include <map>
+#include <stdexcept>
+
+#include "idl/bus/dds_endpoint.hpp"
+#include "idl/bus/dds_port.hpp"
+#include "idl/bus/memory_bus.hpp"
+
+namespace skein::bus {
+namespace {
+
+PeerInfo self(const DdsConfig& config) {
+  return {Role::World, config.swarm, kWorldId, config.nonce, config.wire_version, config.start_stamp_ns};
+}
+
+}  // namespace
+
+// Members end in the opposite order: endpoints, then the participant, then what its listeners use.
+struct DdsWorldPort::Impl {
+  Impl(const DdsConfig& config, std::span<const AgentId> agents)
+      : book(self(config)),
+        participant(config, book, wake),
+        publisher(participant.publisher(config.swarm)),
+        subscriber(participant.subscriber(config.swarm)),
+        beacon(participant, subscriber, book, wake, inbox),
+        representative_in(participant, subscriber, book, wake, inbox),
+        representative_out(participant, publisher, book, wake),
+        mission(participant, publisher, book, wake),
+        tick(participant, publisher, book, wake) {
+    for (const AgentId agent : agents) {
+      if (agent < 1 || agent > kMaxAgents || sense.contains(agent)) {
+        throw std::invalid_argument("agent id " + std::to_string(agent) + " is out of range or listed twice");
+      }
+      fdds::Publisher* own = participant.publisher(sense_partition(config.swarm, agent));
+      sense.try_emplace(agent, participant, own, book, wake);
+    }
+  }
+
+  bool write(const wire::Mission& sample) { return mission.write(sample); }
+  bool write(const wire::Tick& sample) { return tick.write(sample); }
+  bool write(const wire::Representative& sample) { return representative_out.write(sample); }
+  bool write(const wire::Sense& sample) {
+    const auto writer = sense.find(sample.agent());
+    return writer != sense.end() && writer->second.write(sample);
+  }
+
+  Wake wake;
+  PeerBook book;
+  Inbox<WorldInbound> inbox{kInboxBound, wake};
+  std::uint64_t refused_by_dds = 0;
+  Participant participant;
+  fdds::Publisher* publisher;
+  fdds::Subscriber* subscriber;
+  Reader<wire::Beacon, WorldInbound> beacon;
+  Reader<wire::Representative, WorldInbound> representative_in;
+  Writer<wire::Representative> representative_out;
+  Writer<wire::Mission> mission;
+  Writer<wire::Tick> tick;
+  std::map<AgentId, Writer<wire::Sense>> sense;
+};
+
+DdsWorldPort::DdsWorldPort(const DdsConfig& config, std::span<const AgentId> agents)
+    : impl_(std::make_unique<Impl>(config, agents)) {}
+DdsWorldPort::~DdsWorldPort() = default;
+
+void DdsWorldPort::publish(const WorldOutbound& sample) {
+  const bool accepted = std::visit([this](const auto& held) { return impl_->write(held); }, sample);
+  if (!accepted) ++impl_->refused_by_dds;
+}
+
+void DdsWorldPort::take(std::vector<WorldInbound>& into) {
+  impl_->inbox.drain(into);
+}
+
+std::vector<std::uint64_t> DdsWorldPort::matched() const {
+  return impl_->book.matched_nonces();
+}
+
+int DdsWorldPort::wake_fd() const {
+  return impl_->wake.fd();
+}
+
+bool DdsWorldPort::flush(std::chrono::milliseconds limit) {
+  const Deadline deadline(limit);
+  for (auto& [agent, writer] : impl_->sense) {
+    if (!writer.flush(deadline.left_s())) return false;
+  }
+  return impl_->mission.flush(deadline.left_s()) && impl_->tick.flush(deadline.left_s()) &&
+         impl_->representative_out.flush(deadline.left_s());
+}
+
+std::optional<std::string> DdsWorldPort::conflict() const {
+  return impl_->book.conflict();
+}
+
+std::uint64_t DdsWorldPort::lost() const {
+  return impl_->inbox.lost() + impl_->refused_by_dds;
+}
+
+}  // namespace skein::bus

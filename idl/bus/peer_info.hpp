@@ -1,0 +1,34 @@
+// What a process says of itself in the USER_DATA of its DDS participant, as text that every version can read.
+//
+// "skein role=agent swarm=geese id=3 nonce=81985529216486895 wire=1 start=1700000000000000000": words in any order,
+// unknown ones are skipped, so that a later version may add some.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "idl/bus/topics.hpp"
+#include "idl/wire.hpp"
+#include "planner/core/mission/mission.hpp"
+
+namespace skein::bus {
+
+struct PeerInfo {
+  Role role = Role::Observer;
+  std::string swarm;
+  AgentId id = kWorldId;
+  std::uint64_t nonce = 0;
+  std::uint32_t wire_version = wire::kWireVersion;
+  std::int64_t start_stamp_ns = 0;
+
+  bool operator==(const PeerInfo&) const = default;
+};
+
+[[nodiscard]] std::string to_text(const PeerInfo& info);
+
+/// Nothing if the text is not a skein process's or lacks a word.
+[[nodiscard]] std::optional<PeerInfo> peer_info_from(std::string_view text);
+
+}  // namespace skein::bus
