@@ -7,6 +7,8 @@
 namespace skein::test {
 namespace {
 
+using std::string_literals::operator""s;
+
 constexpr const char* kRemedy = "; allowed: a readable scenario file of at most 1 MB";
 
 class Files : public testing::Test {
@@ -64,7 +66,7 @@ TEST_F(Files, TooManyValuesAreRefused) {
 }
 
 TEST_F(Files, BytesThatAreNoTextStayOnOneLine) {
-  const std::string line = fault_of(std::string("na\0me: \x01\x1b[31m\n\xff\xfe: \"\\\x07\"", 25));
+  const std::string line = fault_of("na\0me: \x01\x1b[31m\n\xff\xfe: \"\\\x07\""s);
   EXPECT_EQ(line.rfind(path_ + ":", 0), 0U) << line;
   for (const char c : line) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << line;
 }

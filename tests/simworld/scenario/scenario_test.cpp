@@ -1,4 +1,6 @@
 // What a good scenario becomes, value by value, and which seed and hash it has.
+#include <fmt/core.h>
+
 #include "tests/simworld/scenario/scenarios.hpp"
 
 namespace skein::test {
@@ -85,6 +87,19 @@ TEST(Scenario, EveryPlannerOptionHasItsKey) {
     const double read =
         std::visit([&](auto member) { return static_cast<double>(scenario.mission.planner.*member); }, field.member);
     EXPECT_EQ(read, std::stod(value)) << field.key;
+  }
+}
+
+TEST(Scenario, ThePageNamesEveryPlannerOptionWithUnitRangeAndDefault) {
+  const std::string page = text_of(SKEIN_SOURCE_DIR "/docs/scenario.md");
+  for (const RendezvousField& field : kRendezvousFields) {
+    const bool whole = std::holds_alternative<std::int32_t RendezvousOptions::*>(field.member);
+    const double standard =
+        std::visit([](auto member) { return static_cast<double>(RendezvousOptions{}.*member); }, field.member);
+    const std::string unit(whole ? "whole" : field.unit.empty() ? "-" : field.unit);
+    const std::string row =
+        fmt::format("| `planner.{}` | {} | {} to {} | {} |", field.key, unit, field.min, field.max, standard);
+    EXPECT_NE(page.find(row), std::string::npos) << row;
   }
 }
 
