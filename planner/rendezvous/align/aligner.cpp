@@ -1,19 +1,23 @@
 #include "planner/rendezvous/align/aligner.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "planner/rendezvous/align/alone.hpp"
 #include "planner/rendezvous/align/level_set.hpp"
 
 namespace skein::rendezvous {
 namespace {
 
-constexpr std::int32_t kGridNodes = 64;
-/// Raised lengths tried, as parts of the target: first step, growth, number. Together they reach 3 times the target.
-constexpr double kFirstRaise = 2e-4;
-constexpr double kRaiseGrowth = 1.6;
-constexpr int kRaises = 20;
 /// A UAV whose own best is shorter than this part of the longest one leaves it unproved: it will not be flown.
 constexpr double kMaySetTheLength = 0.999;
+/// Rounds for which a UAV asks for the way before it raises the target: one to be read, one to be answered.
+constexpr std::int32_t kPatience = 2;
+/// Raised lengths, as parts of the target: the first step, its growth from step to step, and the last step.
+constexpr double kFirstRaise = 2e-4;
+constexpr double kRaiseGrowth = 1.6;
+constexpr double kLastRaise = 2.0;
 
 }  // namespace
 
@@ -36,20 +40,7 @@ Aligner::Outcome Aligner::advance(const Problem& problem, std::span<const Repres
     blame(peers);
     return outcome_ = Outcome::Failed;
   }
-  if (!feasible_alone_) return outcome_;
-  double target_m = length_m_;
-  for (const Representative& peer : peers) target_m = std::max(target_m, peer.path_length_m);
-  look_at(problem, peers, target_m);
-  if (!same_length(length_m_, target_m) || conflict(*dense_, problem.own().id) != 0) {
-    move_to(problem, target_m);
-    return outcome_;
-  }
-  violated_ = Constraint::None;
-  violated_peer_ = 0;
-  const auto ready = [&](const Representative& peer) {
-    return peer.violated == Constraint::None && same_length(peer.path_length_m, target_m);
-  };
-  settled_ = std::ranges::all_of(peers, ready) && conflict(*dense_, kMaxAgents + 1) == 0;
+  if (feasible_alone_) align(problem, peers);
   return outcome_;
 }
 
@@ -57,19 +48,19 @@ void Aligner::open(const Problem& problem, std::span<const Representative> peers
   length_m_ = problem.own().hermite.length_m(own_best_);
   double longest_m = 0.0;
   for (const Representative& peer : peers) longest_m = std::max(longest_m, peer.own_length_m);
-  if (length_m_ >= kMaySetTheLength * longest_m) return prove(problem);
+  if (length_m_ >= kMaySetTheLength * longest_m) prove(problem);
   dense_ = sample_densely(problem, problem.own().hermite.path(controls_));
 }
 
 /// Replaces the own best by the best path that is proved, or notes that this UAV has none.
 void Aligner::prove(const Problem& problem) {
   const AlonePath alone = best_alone(problem, own_best_);
-  own_best_ = alone.controls;
-  controls_ = alone.controls;
-  length_m_ = alone.length_m;
   feasible_alone_ = alone.violated == Constraint::None;
   if (!feasible_alone_) violated_ = alone.violated;
-  dense_ = sample_densely(problem, problem.own().hermite.path(controls_));
+  own_best_ = alone.controls;
+  if (round_ > 1) return;
+  controls_ = alone.controls;
+  length_m_ = alone.length_m;
 }
 
 void Aligner::blame(std::span<const Representative> peers) {
@@ -83,101 +74,110 @@ void Aligner::blame(std::span<const Representative> peers) {
   }
 }
 
-void Aligner::look_at(const Problem& problem, std::span<const Representative> peers, double target_m) {
-  std::vector<Peer> seen;
-  for (const Representative& peer : peers) {
-    const ph::Controls controls{peer.particle[0], peer.particle[1]};
-    const bool at_target = same_length(peer.path_length_m, target_m) && peer.violated == Constraint::None;
-    const auto known = std::ranges::find(peers_, peer.agent, &Peer::id);
-    if (known != peers_.end() && known->controls == controls) {
-      seen.push_back(std::move(*known));
-      seen.back().at_target = at_target;
-      continue;
-    }
-    const Participant& uav = participant_of(problem, peer.agent);
-    seen.push_back({peer.agent, controls, required_separation_m(problem.own(), uav), at_target,
-                    sample_densely(problem, uav.hermite.path(controls))});
+void Aligner::align(const Problem& problem, std::span<const Representative> peers) {
+  double target_m = length_m_;
+  for (const Representative& peer : peers) target_m = std::max(target_m, peer.path_length_m);
+  if (!same_length(length_m_, target_m)) asked_ = 0;
+  look_at(problem, peers, target_m);
+  if (!same_length(length_m_, target_m) || conflict(dense_, neighbours_, true) != 0) {
+    find_way(problem, target_m);
+    return;
   }
-  peers_ = std::move(seen);
-}
-
-/// The first peer of an id under `below`, at the target, that the path does not keep apart from; 0 if none.
-AgentId Aligner::conflict(const DensePath& dense, AgentId below) const {
-  for (const Peer& peer : peers_) {
-    if (peer.id < below && peer.at_target && !keeps_apart(dense, peer.dense, peer.separation_m)) return peer.id;
-  }
-  return 0;
-}
-
-/// Takes the cheapest candidate that passes; otherwise keeps in mind by what the cheapest fails.
-bool Aligner::choose_among(const Problem& problem, const std::vector<ph::Controls>& candidates) {
-  struct Rated {
-    double cost;
-    ph::Controls controls;
+  violated_ = Constraint::None;
+  violated_peer_ = 0;
+  asked_ = 0;
+  const auto ready = [&](const Representative& peer) {
+    return peer.violated == Constraint::None && same_length(peer.path_length_m, target_m);
   };
-  std::vector<Rated> rated;
-  Evaluation evaluation;
-  for (const ph::Controls& controls : candidates) {
-    evaluate(problem, controls, evaluation);
-    rated.push_back({evaluation.own, controls});
+  settled_ = std::ranges::all_of(peers, ready) && conflict(dense_, neighbours_, false) == 0;
+}
+
+void Aligner::look_at(const Problem& problem, std::span<const Representative> peers, double target_m) {
+  std::vector<Neighbour> seen;
+  for (const Representative& peer : peers) {
+    const Participant& uav = participant_of(problem, peer.agent);
+    const bool asks = peer.violated == Constraint::Separation;
+    Neighbour now;
+    now.id = peer.agent;
+    now.controls = {peer.particle[0], peer.particle[1]};
+    now.separation_m = required_separation_m(problem.own(), uav);
+    now.at_target = same_length(peer.path_length_m, target_m) && (asks || peer.violated == Constraint::None);
+    now.binding = now.at_target && (peer.agent < problem.own().id || (asks && asked_ == 0));
+    const auto known = std::ranges::find(neighbours_, peer.agent, &Neighbour::id);
+    const bool unchanged = known != neighbours_.end() && known->controls == now.controls;
+    now.dense = unchanged ? std::move(known->dense) : sample_densely(problem, uav.hermite.path(now.controls));
+    seen.push_back(std::move(now));
   }
-  std::ranges::stable_sort(rated, {}, &Rated::cost);
-  for (const Rated& candidate : rated) {
-    DensePath dense = sample_densely(problem, problem.own().hermite.path(candidate.controls));
-    Constraint fails = check_alone(problem, dense);
-    AgentId peer = 0;
-    if (fails == Constraint::None) {
-      peer = conflict(dense, problem.own().id);
-      if (peer != 0) fails = Constraint::Separation;
-    }
-    if (fails == Constraint::None) {
-      controls_ = candidate.controls;
-      length_m_ = dense.path.length_m();
-      dense_ = std::move(dense);
-      violated_ = Constraint::None;
-      violated_peer_ = 0;
-      return true;
-    }
-    if (violated_ == Constraint::None) {
-      violated_ = fails;
-      violated_peer_ = peer;
-    }
+  neighbours_ = std::move(seen);
+}
+
+/// To the target; else asks for the way or raises the target; else stays, with the constraint that fails.
+void Aligner::find_way(const Problem& problem, double target_m) {
+  if (asked_ > 0 && asked_ < kPatience) {
+    ++asked_;  // the others are giving way: no moving now
+    return;
+  }
+  const std::uint64_t task = task_of(target_m);
+  if (task == failed_task_) return;  // nothing has changed since nothing was found
+  const std::array<ph::Controls, 3> starts{group_best_, own_best_, controls_};
+  const Choice choice = choose(problem, starts, target_m, neighbours_);
+  if (choice.clear) return take(*choice.clear, Constraint::None, 0);
+  if (choice.allowed) return take(*choice.allowed, Constraint::None, 0);
+  if (may_stay(problem, target_m)) {
+    failed_task_ = task;
+    return;
+  }
+  if (choice.alone && asked_ == 0) {
+    take(*choice.alone, Constraint::Separation, choice.peer);
+    asked_ = 1;
+    return;
+  }
+  if (raise(problem, target_m)) return;
+  failed_task_ = task;
+  violated_ = choice.fails;
+  violated_peer_ = choice.peer;
+  if (violated_ != Constraint::Separation) prove(problem);
+}
+
+/// At the target, and only in conflict with UAVs of higher id: those that asked in vain must find another way.
+bool Aligner::may_stay(const Problem& problem, double target_m) const {
+  const auto blocks = [&](const Neighbour& peer) {
+    return peer.id < problem.own().id && peer.at_target && !keeps_apart(dense_, peer.dense, peer.separation_m);
+  };
+  return violated_ == Constraint::None && same_length(length_m_, target_m) && std::ranges::none_of(neighbours_, blocks);
+}
+
+/// The smallest longer length with a path; each further raise begins with a larger step, so that they come to an end.
+bool Aligner::raise(const Problem& problem, double target_m) {
+  const std::array<ph::Controls, 3> starts{group_best_, own_best_, controls_};
+  double step = kFirstRaise;
+  for (std::int32_t k = 0; k < raised_; ++k) step *= kRaiseGrowth;
+  for (; step <= kLastRaise; step *= kRaiseGrowth) {
+    const Choice choice = choose(problem, starts, target_m * (1.0 + step), neighbours_);
+    const std::optional<Chosen>& found = choice.clear ? choice.clear : choice.allowed;
+    if (!found) continue;
+    take(*found, Constraint::None, 0);
+    ++raised_;
+    return true;
   }
   return false;
 }
 
-/// Paths of a length near the particles found by the search, and if none passes, anywhere in the search range.
-bool Aligner::choose(const Problem& problem, double target_m) {
-  std::vector<ph::Controls> near;
-  for (const ph::Controls& from : {group_best_, own_best_, controls_}) {
-    const auto found = on_rays(problem.own(), from, target_m, problem.options.equalise_directions);
-    near.insert(near.end(), found.begin(), found.end());
-  }
-  return choose_among(problem, near) || choose_among(problem, on_grid(problem.own(), target_m, kGridNodes));
+void Aligner::take(const Chosen& chosen, Constraint violated, AgentId peer) {
+  controls_ = chosen.controls;
+  dense_ = chosen.dense;
+  length_m_ = chosen.dense.path.length_m();
+  violated_ = violated;
+  violated_peer_ = peer;
+  asked_ = 0;
 }
 
-/// To the target, else to the smallest longer length that can be flown; else stays, with the constraint that fails.
-void Aligner::move_to(const Problem& problem, double target_m) {
-  const std::uint64_t task = task_of(problem, target_m);
-  if (task == failed_task_) return;  // nothing has changed since it failed
-  violated_ = Constraint::None;
-  violated_peer_ = 0;
-  if (choose(problem, target_m)) return;
-  double raise = kFirstRaise;
-  for (int k = 0; k < kRaises; ++k, raise *= kRaiseGrowth) {
-    if (choose(problem, target_m * (1.0 + raise))) return;
-  }
-  failed_task_ = task;
-  if (violated_ == Constraint::None) violated_ = Constraint::Length;
-  if (violated_ != Constraint::Separation) prove(problem);
-}
-
-/// Names what a choice depends on: the target, and the UAVs that have the right of way.
-std::uint64_t Aligner::task_of(const Problem& problem, double target_m) const {
+/// Names what a choice depends on: the target, and the UAVs at it with their right of way.
+std::uint64_t Aligner::task_of(double target_m) const {
   StateHash hash;
-  hash.add(target_m);
-  for (const Peer& peer : peers_) {
-    if (peer.id < problem.own().id && peer.at_target) hash.add(peer.id).add(peer.controls.m0_m).add(peer.controls.m1_m);
+  hash.add(target_m).add(asked_ >= kPatience);
+  for (const Neighbour& peer : neighbours_) {
+    if (peer.at_target) hash.add(peer.id).add(peer.binding).add(peer.controls.m0_m).add(peer.controls.m1_m);
   }
   return hash.value();
 }
@@ -185,7 +185,7 @@ std::uint64_t Aligner::task_of(const Problem& problem, double target_m) const {
 void Aligner::add_to(StateHash& hash) const {
   hash.add(round_).add(outcome_).add(settled_).add(feasible_alone_).add(violated_).add(violated_peer_);
   for (const ph::Controls& m : {own_best_, group_best_, controls_}) hash.add(m.m0_m).add(m.m1_m);
-  hash.add(length_m_).add(failed_task_);
+  hash.add(length_m_).add(asked_).add(raised_).add(failed_task_);
 }
 
 }  // namespace skein::rendezvous

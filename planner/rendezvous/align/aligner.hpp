@@ -2,16 +2,20 @@
 //
 //   round 1   publish the length of the best own path, proved (align/alone) if it may be the longest of the swarm
 //   round r   target = the longest length published in round r - 1, one's own included
-//             not at the target, or in conflict with a UAV of lower id that is: choose the cheapest path of that
-//             length that is proved feasible and clear of those; if there is none, the smallest longer length that
-//             has one, which raises the target for all
-//             else keep the path; Settled if everybody is at the target, feasible and clear of everybody
+//             - not at the target: choose the cheapest path of that length (align/choice) that is proved feasible and
+//               clear of all UAVs at the target, else clear of those that have the right of way
+//             - at the target, in conflict with one that has the right of way: choose again
+//             - nothing found: keep a path and publish `Separation`, which asks the others to give way; still nothing
+//               two rounds later, or no path of that length at all: take the smallest longer length that has a path,
+//               which raises the target for all
+//             - else keep the path; Settled if everybody is at the target, feasible and clear of everybody
 //   the end   all were Settled in round r - 1: Agreed in round r. More than `equalise_rounds` rounds: Failed.
-// Both ends are decided by samples that all live UAVs see alike, so all reach them in the same round, whoever is lost
-// on the way; and a UAV that published Settled has not moved since it was found clear.
+// The right of way have lower ids, and, before UAVs that do not ask themselves, those that ask. Both ends are decided
+// by samples that all live UAVs see alike, so all reach them in the same round, whoever is lost on the way; and a UAV
+// that published Settled has not moved since it was found clear.
 //
-// Source: papers/001, Remark 3 and Eq. 17. Departs from source: exact lengths, right of way by id, proof between
-// samples. Complexity: a round costs O(directions (lengths + evaluation)) and some dense checks, or nothing.
+// Source: papers/001, Remark 3 and Eq. 17. Departs from source: exact lengths, right of way, proof between samples.
+// Complexity: a round costs one choice, at worst one for each raised length, or nothing.
 #pragma once
 
 #include <optional>
@@ -20,7 +24,7 @@
 
 #include "planner/core/hash/state_hash.hpp"
 #include "planner/core/lockstep/samples.hpp"
-#include "planner/rendezvous/align/alone.hpp"
+#include "planner/rendezvous/align/choice.hpp"
 
 namespace skein::rendezvous {
 
@@ -49,23 +53,16 @@ class Aligner {
   void add_to(StateHash& hash) const;
 
  private:
-  struct Peer {
-    AgentId id;
-    ph::Controls controls;
-    double separation_m;
-    bool at_target;
-    DensePath dense;
-  };
-
   void open(const Problem& problem, std::span<const Representative> peers);
   void prove(const Problem& problem);
   void blame(std::span<const Representative> peers);
   void look_at(const Problem& problem, std::span<const Representative> peers, double target_m);
-  [[nodiscard]] AgentId conflict(const DensePath& dense, AgentId below) const;
-  [[nodiscard]] bool choose(const Problem& problem, double target_m);
-  [[nodiscard]] bool choose_among(const Problem& problem, const std::vector<ph::Controls>& candidates);
-  void move_to(const Problem& problem, double target_m);
-  [[nodiscard]] std::uint64_t task_of(const Problem& problem, double target_m) const;
+  void align(const Problem& problem, std::span<const Representative> peers);
+  void find_way(const Problem& problem, double target_m);
+  [[nodiscard]] bool may_stay(const Problem& problem, double target_m) const;
+  [[nodiscard]] bool raise(const Problem& problem, double target_m);
+  void take(const Chosen& chosen, Constraint violated, AgentId peer);
+  [[nodiscard]] std::uint64_t task_of(double target_m) const;
 
   ph::Controls own_best_;
   ph::Controls group_best_;
@@ -76,10 +73,12 @@ class Aligner {
   Constraint violated_ = Constraint::None;
   AgentId violated_peer_ = 0;
   std::int32_t round_ = 0;
+  std::int32_t asked_ = 0;         ///< rounds since it asks for the way
+  std::int32_t raised_ = 0;        ///< how often it raised the target
   std::uint64_t failed_task_ = 0;  ///< the last choice that found nothing
   Outcome outcome_ = Outcome::Aligning;
-  std::optional<DensePath> dense_;  ///< of controls_
-  std::vector<Peer> peers_;         ///< of the round before; kept to save sampling unchanged paths again
+  DensePath dense_;                    ///< of controls_
+  std::vector<Neighbour> neighbours_;  ///< the peers of the round before; kept to save sampling them again
 };
 
 }  // namespace skein::rendezvous

@@ -4,8 +4,6 @@
 #include <array>
 #include <vector>
 
-#include "planner/rendezvous/ph/curvature_bound.hpp"
-
 namespace skein::rendezvous {
 namespace {
 
@@ -14,17 +12,11 @@ constexpr int kHalvings = 12;
 constexpr int kMaxMoves = 400;
 
 Constraint violation(const Problem& problem, const ph::Controls& controls) {
-  const ph::PlanarPath path = problem.own().hermite.path(controls);
-  if (!(ph::max_curvature_per_m(path) <= problem.max_curvature_per_m)) return Constraint::Curvature;
-  return check_alone(problem, sample_densely(problem, path));
+  return check_alone(problem, problem.own().hermite.path(controls));
 }
 
-/// Cost of the path itself, without penalties: what the pattern search lowers among proved paths.
-double bare_cost(const Problem& problem, const ph::Controls& controls) {
-  const ph::PlanarPath path = problem.own().hermite.path(controls);
-  const double weight = problem.options.length_weight;
-  return weight * path.length_m() / problem.length_unit_m +
-         (1.0 - weight) * path.elastic_energy_per_m() * problem.length_unit_m;
+double cost_of(const Problem& problem, const ph::Controls& controls) {
+  return bare_cost(problem, problem.own().hermite.path(controls));
 }
 
 struct Node {
@@ -40,7 +32,7 @@ AlonePath cheapest_on_grid(const Problem& problem, const ph::Controls& start, Co
     for (std::int32_t j = 0; j < kGridNodes; ++j) {
       const auto node = [&](std::int32_t k) { return range.clamp(range.min + range.width() * k / (kGridNodes - 1)); };
       const ph::Controls controls{node(i), node(j)};
-      nodes.push_back({bare_cost(problem, controls), controls});
+      nodes.push_back({cost_of(problem, controls), controls});
     }
   }
   std::ranges::stable_sort(nodes, {}, &Node::cost);
@@ -53,7 +45,7 @@ AlonePath cheapest_on_grid(const Problem& problem, const ph::Controls& start, Co
 void lower_cost(const Problem& problem, AlonePath& best) {
   const Interval& range = problem.own().range_m;
   double step_m = range.width() / kGridNodes;
-  double cost = bare_cost(problem, best.controls);
+  double cost = cost_of(problem, best.controls);
   constexpr std::array<std::array<int, 2>, 8> kNeighbours{
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
   int moves = 0;
@@ -62,7 +54,7 @@ void lower_cost(const Problem& problem, AlonePath& best) {
     for (const auto& d : kNeighbours) {
       const ph::Controls next{range.clamp(best.controls.m0_m + d[0] * step_m),
                               range.clamp(best.controls.m1_m + d[1] * step_m)};
-      const double next_cost = bare_cost(problem, next);
+      const double next_cost = cost_of(problem, next);
       if (!(next_cost < cost) || violation(problem, next) != Constraint::None) continue;
       best.controls = next;
       cost = next_cost;

@@ -40,6 +40,12 @@ bool collides(std::span<const Vec2> own, const PeerPath& peer) {
 
 }  // namespace
 
+double bare_cost(const Problem& problem, const ph::PlanarPath& path) {
+  const double weight = problem.options.length_weight;
+  return weight * path.length_m() / problem.length_unit_m +
+         (1.0 - weight) * path.elastic_energy_per_m() * problem.length_unit_m;
+}
+
 double own_cost(const CostTerms& terms, double length_weight) {
   return length_weight * terms.length + (1.0 - length_weight) * terms.curve_energy + terms.obstacle + terms.no_fly +
          terms.unflyable;

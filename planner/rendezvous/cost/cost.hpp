@@ -33,6 +33,8 @@ struct CostTerms {
   bool operator==(const CostTerms&) const = default;
 };
 
+/// w1 L + (1 - w1) E: the cost of a path that violates nothing.
+[[nodiscard]] double bare_cost(const Problem& problem, const ph::PlanarPath& path);
 /// 1 / f of Eq. 11: the cost of a path for itself.
 [[nodiscard]] double own_cost(const CostTerms& terms, double length_weight);
 /// 1 / f' of Eq. 14: the cost of a path in its cooperative group.

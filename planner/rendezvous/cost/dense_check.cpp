@@ -9,6 +9,9 @@
 namespace skein::rendezvous {
 namespace {
 
+/// How far, relatively, the curvature that the sag is made from may lie above the path's own.
+constexpr double kBoundTolerance = 0.05;
+
 double gap_m(const DensePath& dense) {
   return dense.path.length_m() / static_cast<double>(dense.points_m.size() - 1);
 }
@@ -33,14 +36,14 @@ bool clear_of(const PlanarZone& zone, double least_m, const DensePath& dense) {
 
 DensePath sample_densely(const Problem& problem, const ph::PlanarPath& path) {
   DensePath dense{path, std::vector<Vec2>(static_cast<std::size_t>(problem.options.dense_points)),
-                  ph::max_curvature_per_m(path), 0.0};
+                  ph::max_curvature_per_m(path, kBoundTolerance), 0.0};
   equidistant_points(path, dense.points_m);
-  dense.sag_m = dense.max_curvature_per_m * gap_m(dense) * gap_m(dense) / 8.0;
+  dense.sag_m = dense.curvature_bound_per_m * gap_m(dense) * gap_m(dense) / 8.0;
   return dense;
 }
 
 Constraint check_alone(const Problem& problem, const DensePath& dense) {
-  if (!(dense.max_curvature_per_m <= problem.max_curvature_per_m)) return Constraint::Curvature;
+  if (!ph::curvature_within(dense.path, problem.max_curvature_per_m)) return Constraint::Curvature;
   for (const bool no_fly : {false, true}) {
     for (const PlanarZone& zone : problem.zones) {
       if (zone.no_fly == no_fly && !clear_of(zone, problem.keep_out_m, dense)) {
@@ -49,6 +52,26 @@ Constraint check_alone(const Problem& problem, const DensePath& dense) {
     }
   }
   return Constraint::None;
+}
+
+Constraint check_alone(const Problem& problem, const ph::PlanarPath& path) {
+  const Constraint refuted = refute(problem, path);
+  return refuted != Constraint::None ? refuted : check_alone(problem, sample_densely(problem, path));
+}
+
+Constraint refute(const Problem& problem, const ph::PlanarPath& path) {
+  if (!ph::curvature_within(path, problem.max_curvature_per_m)) return Constraint::Curvature;
+  const std::int32_t last = problem.options.check_points - 1;
+  Constraint found = Constraint::None;
+  for (std::int32_t k = 0; k <= last; ++k) {
+    const Vec2 here = path.position(static_cast<double>(k) / static_cast<double>(last));
+    for (const PlanarZone& zone : problem.zones) {
+      if (distance_m(zone, here) >= problem.keep_out_m) continue;
+      if (!zone.no_fly) return Constraint::Obstacle;
+      found = Constraint::NoFly;
+    }
+  }
+  return found;
 }
 
 bool keeps_apart(const DensePath& a, const DensePath& b, double separation_m) {

@@ -21,7 +21,7 @@ namespace skein::rendezvous {
 struct DensePath {
   ph::PlanarPath path;
   std::vector<Vec2> points_m;
-  double max_curvature_per_m = 0.0;
+  double curvature_bound_per_m = 0.0;  ///< at least the largest curvature
   double sag_m = 0.0;
 };
 
@@ -30,6 +30,12 @@ struct DensePath {
 /// The first of curvature, obstacle and no-fly zone that the path may violate, or None, which is proof that it does
 /// not.
 [[nodiscard]] Constraint check_alone(const Problem& problem, const DensePath& dense);
+/// The same for a path that is not sampled yet; most that fail are refused by `refute`, before any sampling.
+[[nodiscard]] Constraint check_alone(const Problem& problem, const ph::PlanarPath& path);
+
+/// A constraint that the path violates for certain, by its curvature and the options' check points; None proves
+/// nothing.
+[[nodiscard]] Constraint refute(const Problem& problem, const ph::PlanarPath& path);
 
 /// Proof that the two, flown so that each part of the way takes both the same time, keep a distance (m).
 [[nodiscard]] bool keeps_apart(const DensePath& a, const DensePath& b, double separation_m);

@@ -91,6 +91,10 @@ double required_separation_m(const Participant& a, const Participant& b) {
   return std::sqrt(std::max(0.0, sum * sum - height * height));
 }
 
+double distance_m(const PlanarZone& zone, const Vec2& p) {
+  return std::visit([&](const auto& shape) { return signed_distance(p, shape); }, zone.shape);
+}
+
 double distance_m(const PlanarZone& zone, const Vec2& a, const Vec2& b) {
   return std::visit([&](const auto& shape) { return signed_distance(a, b, shape); }, zone.shape);
 }

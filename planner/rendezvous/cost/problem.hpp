@@ -62,7 +62,8 @@ struct Problem {
 /// Least horizontal distance (m) that two UAVs must keep, from safety radii and altitudes; 0 if none.
 [[nodiscard]] double required_separation_m(const Participant& a, const Participant& b);
 
-/// Signed distance (m) of a segment to a zone's footprint.
+/// Signed distance (m) of a point or a segment to a zone's footprint.
+[[nodiscard]] double distance_m(const PlanarZone& zone, const Vec2& p);
 [[nodiscard]] double distance_m(const PlanarZone& zone, const Vec2& a, const Vec2& b);
 
 }  // namespace skein::rendezvous

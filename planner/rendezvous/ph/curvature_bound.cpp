@@ -8,10 +8,12 @@
 namespace skein::rendezvous::ph {
 namespace {
 
-constexpr double kTolerance = 1e-6;
 /// Turning over the whole length (rad) that counts as none, so that a straight path needs no halving.
 constexpr double kStraight_rad = 1e-6;
 constexpr int kMaxDepth = 40;
+/// Part by which a curvature may exceed a limit unnoticed.
+constexpr double kOverLimit = 1e-6;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Bernstein coefficients of bend and speed on one interval.
 struct Piece {
@@ -20,7 +22,7 @@ struct Piece {
 };
 
 double curvature_of(double bend, double speed) {
-  return speed > 0.0 ? 2.0 * std::fabs(bend) / (speed * speed) : std::numeric_limits<double>::infinity();
+  return speed > 0.0 ? 2.0 * std::fabs(bend) / (speed * speed) : kInfinite;
 }
 
 double value_at_ends(const Piece& piece) {
@@ -57,24 +59,38 @@ std::array<double, N> bernstein(std::array<double, N> powers) {
   return powers;
 }
 
-/// The bound over one piece; `reached` is the largest curvature met so far, `straight` the slack in 1/m.
-double largest(const Piece& piece, double straight, double& reached, int depth) {
-  reached = std::max(reached, value_at_ends(piece));
+/// What decides that a bound is good enough.
+struct Search {
+  double tolerance;      ///< above the largest curvature met, relatively
+  double slack_per_m;    ///< above it, absolutely
+  double reached_per_m;  ///< the largest curvature met so far
+  double limit_per_m;    ///< beyond it the search gives up
+};
+
+/// The bound over one piece.
+double largest(const Piece& piece, Search& search, int depth) {
+  search.reached_per_m = std::max(search.reached_per_m, value_at_ends(piece));
+  if (search.reached_per_m > search.limit_per_m) return kInfinite;
   const double bound = bound_of(piece);
-  if (bound <= reached * (1.0 + kTolerance) + straight || depth == kMaxDepth) return bound;
+  const double enough = search.reached_per_m * (1.0 + search.tolerance) + search.slack_per_m;
+  if (bound <= enough || depth == kMaxDepth) return bound;
   Piece left;
   Piece right;
   halve(piece.bend, left.bend, right.bend);
   halve(piece.speed, left.speed, right.speed);
-  return std::max(largest(left, straight, reached, depth + 1), largest(right, straight, reached, depth + 1));
+  return std::max(largest(left, search, depth + 1), largest(right, search, depth + 1));
 }
 
 }  // namespace
 
-double max_curvature_per_m(const PlanarPath& path) {
-  double reached = 0.0;
-  const Piece whole{bernstein(path.bend()), bernstein(path.speed_powers())};
-  return largest(whole, kStraight_rad / path.length_m(), reached, 0);
+double max_curvature_per_m(const PlanarPath& path, double tolerance) {
+  Search search{tolerance, kStraight_rad / path.length_m(), 0.0, kInfinite};
+  return largest({bernstein(path.bend()), bernstein(path.speed_powers())}, search, 0);
+}
+
+bool curvature_within(const PlanarPath& path, double limit_per_m) {
+  Search search{kOverLimit, kStraight_rad / path.length_m(), limit_per_m, limit_per_m};
+  return largest({bernstein(path.bend()), bernstein(path.speed_powers())}, search, 0) < kInfinite;
 }
 
 }  // namespace skein::rendezvous::ph
