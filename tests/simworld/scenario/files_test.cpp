@@ -1,5 +1,8 @@
 // Files that are no scenario at all: missing, a directory, too long, hostile.
+#include <gmock/gmock.h>
+
 #include <filesystem>
+#include <random>
 #include <sstream>
 
 #include "tests/simworld/scenario/scenarios.hpp"
@@ -7,7 +10,7 @@
 namespace skein::test {
 namespace {
 
-using std::string_literals::operator""s;
+using namespace std::string_literals;
 
 constexpr const char* kRemedy = "; allowed: a readable scenario file of at most 1 MB";
 
@@ -69,6 +72,26 @@ TEST_F(Files, BytesThatAreNoTextStayOnOneLine) {
   const std::string line = fault_of("na\0me: \x01\x1b[31m\n\xff\xfe: \"\\\x07\""s);
   EXPECT_EQ(line.rfind(path_ + ":", 0), 0U) << line;
   for (const char c : line) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << line;
+}
+
+TEST(MutatedScenarios, AreReadOrRefusedInOneLine) {
+  const std::string small = text_of(kDataDir + "small.yaml");
+  const std::string alphabet = "0123456789-.:,[]{}&*!|>'\"#%@` \n\tab\x00\xff"s;
+  std::mt19937 random(2);  // the same mutations in every run
+  const auto pick = [&](std::size_t n) { return random() % n; };
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = small;
+    for (std::size_t edits = 1 + pick(4); edits > 0; --edits) {
+      const std::size_t place = pick(text.size());
+      text.replace(place, pick(3), std::string(pick(2), alphabet[pick(alphabet.size())]));
+    }
+    const std::string line = fault_line(parse_scenario(text, "f", {}, std::nullopt));
+    if (line == "no fault") continue;
+    ++refused;
+    EXPECT_THAT(line, testing::MatchesRegex("f:[0-9]+:[0-9]+: [^\n]+")) << text;
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace
