@@ -61,7 +61,7 @@ struct Refusal {
 
 struct Tick {
   std::uint64_t run = 0;
-  std::uint32_t step = 0;  ///< flight steps done; 0 while the swarm plans on the ground
+  std::uint32_t step = 0;  ///< the flight step that this tick opens, from 1; 0 while the swarm plans on the ground
   std::uint32_t round = 0;
   Phase phase = Phase::Waiting;
   double time_s = 0.0;

@@ -1,0 +1,17 @@
+#include "agent/behaviours/behaviour.hpp"
+
+#include <stdexcept>
+
+#include "agent/behaviours/rendezvous.hpp"
+
+namespace skein {
+
+std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self) {
+  switch (mission.kind) {
+    case MissionKind::Rendezvous:
+      return std::make_unique<RendezvousBehaviour>(mission, self);
+  }
+  throw std::invalid_argument("unknown mission kind");
+}
+
+}  // namespace skein

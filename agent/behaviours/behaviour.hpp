@@ -1,0 +1,42 @@
+// What an agent does in a round, whatever its mission kind: from tick, sense and peers' samples to what it publishes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "planner/core/lockstep/samples.hpp"
+
+namespace skein {
+
+/// Everything that a round's decision may depend on, besides the behaviour's own state.
+struct RoundInput {
+  const Tick& tick;
+  const Sense* sense = nullptr;                ///< given in flight
+  std::span<const Representative> peers = {};  ///< of the round before, of all live peers that published, by id
+};
+
+struct RoundOutput {
+  AgentMode mode = AgentMode::Waiting;
+  Constraint constraint = Constraint::None;
+  AgentId constraint_peer = 0;
+  Vec3 commanded_velocity_mps = Vec3::Zero();
+  double planned_length_m = 0.0;
+  double cost = 0.0;
+  std::uint32_t generation = 0;
+  std::optional<Representative> representative;  ///< run, incarnation and round are filled in by the runtime
+};
+
+class Behaviour {
+ public:
+  virtual ~Behaviour() = default;
+  /// One round, planning or flight; rounds come in order, each once.
+  virtual RoundOutput on_round(const RoundInput& input) = 0;
+  /// All that decides later rounds: mode, plan, sub-swarm, progress.
+  virtual void add_to(StateHash& hash) const = 0;
+};
+
+/// The behaviour of the mission's kind for one agent. @throws std::invalid_argument if the mission has no such vehicle.
+[[nodiscard]] std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self);
+
+}  // namespace skein

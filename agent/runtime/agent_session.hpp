@@ -1,0 +1,95 @@
+// The agent's end of the lockstep protocol, over any carrier: introduces itself, answers each tick once all that the
+// tick counts is here, and repeats its answer when asked. Receive, convert, decide (agent/behaviours), convert, send.
+//
+// Until a tick's roster admits it, it sends a beacon with incarnation 0 every 0.25 s, and
+// whenever its matched peers change. A tick counts samples of the
+// round before (0 or 1 an agent); they are taken in order of id, never of arrival. What is still lacking after a second
+// is named in an open beacon, again every second. A repeated tick is answered from the stored outputs. Time comes from
+// the caller, in seconds of any steady clock.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "agent/behaviours/behaviour.hpp"
+#include "idl/bus/port.hpp"
+#include "idl/convert/convert.hpp"
+
+namespace skein {
+
+class AgentSession {
+ public:
+  enum class State : std::uint8_t {
+    Introducing,  ///< not admitted yet
+    Live,         ///< takes part
+    Finished,     ///< the world ended the run, and the agent had taken part
+    TurnedAway,   ///< refused, or the world ended before the run started
+    Dropped,      ///< the world went on without it
+  };
+
+  /// @param nonce the process's own, as its port announces it
+  AgentSession(AgentId id, std::uint64_t nonce, bus::AgentPort& port, double now_s);
+
+  /// Takes what arrived and does what is due.
+  void poll(double now_s);
+  /// Seconds until the next poll has something to do, if nothing arrives before.
+  [[nodiscard]] double idle_s(double now_s) const;
+  /// Says goodbye: the world drops the agent at once.
+  void leave(double now_s);
+
+  [[nodiscard]] State state() const { return state_; }
+  /// One line for TurnedAway and Dropped.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  /// When a tick of any phase was last heard; the time of construction before the first.
+  [[nodiscard]] double heard_world_s() const { return heard_world_s_; }
+  [[nodiscard]] std::uint32_t round() const { return done_round_; }
+  [[nodiscard]] std::uint32_t step() const { return tick_ ? tick_->step : 0; }
+  [[nodiscard]] AgentMode mode() const { return last_.mode; }
+  [[nodiscard]] const FaultCounts& refused_samples() const { return faults_; }
+
+ private:
+  void take(double now_s);
+  void on_sample(const wire::Mission& sample, double now_s);
+  void on_sample(const wire::Tick& sample, double now_s);
+  void on_sample(const wire::Sense& sample, double now_s);
+  void on_sample(const wire::Representative& sample, double now_s);
+  void introduce(double now_s);
+  void follow_roster();
+  [[nodiscard]] std::vector<Need> lacking() const;
+  void answer(double now_s);
+  void publish_answer(double now_s);
+  [[nodiscard]] Beacon beacon() const;
+  template <typename Value>
+  void send(const Value& value, double now_s);
+
+  AgentId id_;
+  std::uint64_t nonce_;
+  bus::AgentPort& port_;
+  State state_ = State::Introducing;
+  std::string reason_;
+  std::uint64_t run_ = 0;
+  std::uint32_t incarnation_ = 0;
+  Mission mission_;
+  std::vector<AgentId> ids_;
+  std::unique_ptr<Behaviour> behaviour_;
+  std::optional<Tick> tick_;  ///< the newest
+  std::optional<Sense> sense_;
+  std::map<std::pair<std::uint32_t, AgentId>, Representative> heard_;  ///< by (round, agent): the last two rounds
+  std::uint32_t done_round_ = 0;
+  std::vector<std::uint64_t> matched_;  ///< as last introduced
+  RoundOutput last_;
+  std::optional<Representative> sent_;
+  std::uint64_t state_hash_ = 0;
+  double heard_world_s_;
+  double last_sent_s_ = -1e9;
+  double tick_heard_s_ = 0.0;
+  bool repeat_ = false;
+  std::vector<bus::AgentInbound> inbox_;
+  FaultCounts faults_;
+};
+
+}  // namespace skein

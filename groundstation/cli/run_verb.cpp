@@ -1,0 +1,165 @@
+// skein run SCENARIO: one run, as processes over DDS or in this process.
+#include <fmt/core.h>
+#include <spdlog/spdlog.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "groundstation/cli/run_display.hpp"
+#include "groundstation/cli/verbs.hpp"
+#include "groundstation/inprocess/in_process.hpp"
+#include "groundstation/launch/launcher.hpp"
+#include "idl/process/poll.hpp"
+#include "simworld/process/progress.hpp"
+#include "simworld/process/world_process.hpp"
+#include "simworld/report/report.hpp"
+
+namespace skein {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RunArguments {
+  WorldArguments world;
+  std::vector<std::string> set_texts;
+  std::vector<std::string> fault_texts;
+  bool in_process = false;
+  bool json = false;
+  std::string roster;
+};
+
+void write_report(const std::string& folder, const Json& report) {
+  std::ofstream file(folder + "/report.json");
+  file << report.dump(2) << "\n";
+  if (!file) std::cerr << fmt::format("cannot write {}/report.json\n", folder);
+}
+
+std::string binaries_folder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
+}
+
+std::vector<std::string> world_arguments(const RunArguments& arguments, const std::string& folder) {
+  std::vector<std::string> flags = arguments_of(arguments.world.common);
+  flags.insert(flags.end(), {arguments.world.scenario, "--out", folder});
+  if (arguments.world.seed) flags.insert(flags.end(), {"--seed", std::to_string(*arguments.world.seed)});
+  if (arguments.world.fail_fast) flags.emplace_back("--fail-fast");
+  for (const Override& item : arguments.world.overrides) {
+    flags.insert(flags.end(), {"--set", item.key + "=" + item.value});
+  }
+  for (const Fault& fault : arguments.world.faults) flags.insert(flags.end(), {"--fault", text_of(fault)});
+  return flags;
+}
+
+/// Adds what only the launcher knows: pids, memory, exit statuses, its own signal.
+void complete(Json& report, const Launcher& launcher) {
+  double pss_sum_mb = 0.0;
+  std::size_t measured = 0;
+  Json processes = Json::array();
+  for (const auto& [id, process] : launcher.agents()) {
+    for (Json& vehicle : report["vehicles"]) {
+      if (vehicle["id"] == id) vehicle["pid"] = process.pid;
+    }
+    if (process.pss_mb) {
+      pss_sum_mb += *process.pss_mb;
+      ++measured;
+    }
+    processes.push_back({{"agent", id},
+                         {"pid", process.pid},
+                         {"ended_by", process.wait_status ? describe_status(*process.wait_status) : "unknown"}});
+  }
+  if (measured > 0) report["pss_mb_per_agent"] = pss_sum_mb / static_cast<double>(measured);
+  report["processes"] = processes;
+  if (launcher.signal()) {
+    report["success"] = false;
+    report["exit_code"] = 128 + *launcher.signal();
+    report["reason"] = fmt::format("ended by {}", *launcher.signal() == SIGINT ? "SIGINT" : "SIGTERM");
+  }
+}
+
+/// The exit code when the world left no report: it refused its arguments, or died.
+int without_report(int wait_status, const Launcher& launcher, const std::string& folder) {
+  if (launcher.signal()) return 128 + *launcher.signal();
+  std::ifstream log(folder + "/world.log");
+  std::cerr << log.rdbuf();
+  if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) != 0) return WEXITSTATUS(wait_status);
+  std::cerr << fmt::format("the world ended without a report: {} (log: {}/world.log)\n", describe_status(wait_status),
+                           folder);
+  return static_cast<int>(ExitCode::AgentLost);
+}
+
+int run_processes(RunArguments& arguments, RunDisplay& display) {
+  if (arguments.world.common.swarm.empty()) arguments.world.common.swarm = fmt::format("run-{:016x}", random_id());
+  const std::optional<Scenario> scenario = load_or_complain(arguments.world);
+  if (!scenario) return static_cast<int>(ExitCode::Usage);
+  const std::string folder = out_folder(arguments.world.out, scenario->mission.seed);
+  std::filesystem::create_directories(folder);
+  std::filesystem::remove(folder + "/report.json");
+  Launcher launcher({binaries_folder(), folder, world_arguments(arguments, folder),
+                     arguments_of(arguments.world.common), [&](const auto& state) { display.show(state); }});
+  const int status = launcher.run();
+  display.end();
+  std::ifstream file(folder + "/report.json");
+  Json report = Json::parse(file, nullptr, false);
+  if (report.is_discarded()) return without_report(status, launcher, folder);
+  complete(report, launcher);
+  write_report(folder, report);
+  display.result(report, folder);
+  return report["exit_code"].get<int>();
+}
+
+int run_here(const RunArguments& arguments, RunDisplay& display) {
+  const std::optional<Scenario> scenario = load_or_complain(arguments.world);
+  if (!scenario) return static_cast<int>(ExitCode::Usage);
+  InProcessOptions options;
+  options.faults = arguments.world.faults;
+  options.fail_fast = arguments.world.fail_fast;
+  if (!arguments.roster.empty()) {
+    std::ifstream file(arguments.roster);
+    const auto other = nlohmann::json::parse(file, nullptr, false);
+    if (other.is_discarded())
+      throw std::runtime_error(fmt::format("--roster {}: no readable report", arguments.roster));
+    options.replay = roster_changes_of(other);
+  }
+  const SignalWatch signals({SIGINT, SIGTERM});
+  options.signal = [&] { return signals.take(); };
+  ProgressFeed feed([&](const auto& progress, bool) { display.show(progress); });
+  options.on_round = [&](const WorldSession& session) { feed.show(session, steady_now_s()); };
+  const std::string folder = out_folder(arguments.world.out, scenario->mission.seed);
+  prepare_out(folder, *scenario);
+  const InProcessResult result = run_in_process(*scenario, options);
+  display.end();
+  write_report(folder, result.report);
+  display.result(result.report, folder);
+  return result.exit_code;
+}
+
+int run(RunArguments& arguments) {
+  RunDisplay display(arguments.json);
+  try {
+    if (arguments.in_process) return run_here(arguments, display);
+    if (!arguments.roster.empty()) throw std::runtime_error("--roster replays in process: add --in-process");
+    return run_processes(arguments, display);
+  } catch (const std::exception& error) {
+    display.end();
+    std::cerr << "skein run: " << error.what() << "\n";
+    return static_cast<int>(ExitCode::Usage);
+  }
+}
+
+}  // namespace
+
+VerbAction add_run_verb(CLI::App& app) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* verb = app.add_subcommand("run", "run a scenario: one world, one agent process a vehicle");
+  add_common_flags(*verb, arguments->world.common);
+  add_world_options(*verb, arguments->world);
+  verb->add_flag("--in-process", arguments->in_process, "all in this process, over the in-memory bus");
+  verb->add_option("--roster", arguments->roster, "with --in-process: repeat the losses of this report.json");
+  verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace skein

@@ -1,0 +1,67 @@
+// skein validate and skein version.
+#include <fmt/core.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "groundstation/cli/verbs.hpp"
+#include "idl/wire.hpp"
+#include "simworld/process/world_process.hpp"
+#include "simworld/report/report.hpp"
+
+namespace skein {
+namespace {
+
+int validate(const WorldArguments& arguments, bool json) {
+  const ScenarioResult result = load_scenario(arguments.scenario, arguments.overrides, arguments.seed);
+  if (const auto* fault = std::get_if<ScenarioFault>(&result)) {
+    if (json)
+      std::cout << nlohmann::ordered_json{{"valid", false}, {"where", fault->where}, {"message", fault->message}}
+                << "\n";
+    std::cerr << fault->line() << "\n";
+    return static_cast<int>(ExitCode::Usage);
+  }
+  const auto& scenario = std::get<Scenario>(result);
+  const Mission& mission = scenario.mission;
+  if (json) {
+    std::cout << nlohmann::ordered_json{{"valid", true},
+                                        {"scenario", mission.name},
+                                        {"scenario_hash", fmt::format("{:016x}", scenario.scenario_hash)},
+                                        {"seed", mission.seed},
+                                        {"vehicles", mission.vehicles.size()},
+                                        {"zones", mission.zones.size()},
+                                        {"planner", mission.planner.name}}
+              << "\n";
+  } else {
+    std::cout << fmt::format("{}: valid: {} vehicles, {} zones, planner {}, seed {}\n", arguments.scenario,
+                             mission.vehicles.size(), mission.zones.size(), mission.planner.name, mission.seed);
+  }
+  return 0;
+}
+
+}  // namespace
+
+VerbAction add_validate_verb(CLI::App& app) {
+  auto arguments = std::make_shared<WorldArguments>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* verb = app.add_subcommand("validate", "check a scenario and say what is wrong with it");
+  add_scenario_options(*verb, *arguments);
+  verb->add_flag("--json", *json, "print JSON");
+  return [arguments, json] { return validate(*arguments, *json); };
+}
+
+VerbAction add_version_verb(CLI::App& app) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* verb = app.add_subcommand("version", "print the version");
+  verb->add_flag("--json", *json, "print JSON");
+  return [json] {
+    if (*json) {
+      std::cout << nlohmann::ordered_json{{"version", version()}, {"wire_version", wire::kWireVersion}} << "\n";
+    } else {
+      std::cout << fmt::format("skein {} (wire version {})\n", version(), wire::kWireVersion);
+    }
+    return 0;
+  };
+}
+
+}  // namespace skein

@@ -1,0 +1,134 @@
+// skein sweep SCENARIO: many runs, a table of their figures.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+#include <thread>
+
+#include "groundstation/cli/verbs.hpp"
+#include "groundstation/sweep/sweep.hpp"
+#include "idl/process/signals.hpp"
+#include "simworld/lockstep/run.hpp"
+#include "simworld/process/world_process.hpp"
+
+namespace skein {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SweepArguments {
+  WorldArguments world;
+  std::uint32_t runs = 100;
+  unsigned jobs = 0;
+  std::optional<double> require_success;
+  bool json = false;
+};
+
+/// Splits at commas that are not inside brackets or braces.
+std::vector<std::string> values_of(const std::string& list) {
+  std::vector<std::string> values{""};
+  int depth = 0;
+  for (const char c : list) {
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') --depth;
+    if (c == ',' && depth == 0) {
+      values.emplace_back();
+    } else {
+      values.back() += c;
+    }
+  }
+  return values;
+}
+
+std::string title_of(const Json& row) {
+  std::string title;
+  for (const auto& [key, value] : row.at("set").items()) {
+    title += fmt::format("{}{}={}", title.empty() ? "" : ", ", key, value.get<std::string>());
+  }
+  return title.empty() ? "as in the scenario" : title;
+}
+
+void print_table(const Json& rows) {
+  for (const Json& row : rows) {
+    std::cout << fmt::format("{}: {} runs, success rate {:.4f}\n", title_of(row), row.at("runs").get<std::size_t>(),
+                             row.at("success_rate").get<double>());
+    std::cout << fmt::format("  {:<34} {:>13} {:>12} {:>13} {:>13} {:>13} {:>13}\n", "figure", "mean", "sd", "min",
+                             "p50", "p95", "max");
+    for (const auto& [name, s] : row.at("figures").items()) {
+      std::cout << fmt::format("  {:<34} {:>13.6g} {:>12.4g} {:>13.6g} {:>13.6g} {:>13.6g} {:>13.6g}\n", name,
+                               s.at("mean").get<double>(), s.at("sd").get<double>(), s.at("min").get<double>(),
+                               s.at("p50").get<double>(), s.at("p95").get<double>(), s.at("max").get<double>());
+    }
+    for (const Json& failure : row.at("failures")) {
+      std::cout << fmt::format("  seed {} failed: {}\n", failure.at("seed").dump(),
+                               failure.at("reason").get<std::string>());
+    }
+  }
+}
+
+SweepPlan plan_of(const SweepArguments& arguments) {
+  SweepPlan plan;
+  plan.scenario = arguments.world.scenario;
+  for (const Override& item : arguments.world.overrides) plan.keys.push_back({item.key, values_of(item.value)});
+  plan.first_seed = arguments.world.seed.value_or(0);
+  plan.runs = arguments.runs;
+  plan.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  return plan;
+}
+
+int sweep(const SweepArguments& arguments) {
+  SweepPlan plan = plan_of(arguments);
+  const SignalWatch signals({SIGINT, SIGTERM});
+  std::optional<int> signal;
+  plan.stop = [&] {
+    if (const auto arrived = signals.take()) signal = arrived;
+    return signal.has_value();
+  };
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  if (terminal)
+    plan.on_progress = [](std::size_t done, std::size_t of) {
+      std::cerr << fmt::format("\rsweep: {} of {} runs", done, of) << (done == of ? "\n" : "") << std::flush;
+    };
+  SweepResult result;
+  try {
+    result = run_sweep(plan);
+  } catch (const std::invalid_argument& fault) {
+    std::cerr << fault.what() << "\n";
+    return static_cast<int>(ExitCode::Usage);
+  }
+  if (arguments.json) {
+    std::cout << Json{{"scenario", arguments.world.scenario}, {"rows", result.rows}}.dump(2) << "\n";
+  } else {
+    print_table(result.rows);
+  }
+  if (signal) return 128 + *signal;
+  for (const Json& row : result.rows) {
+    if (arguments.require_success && row.at("success_rate").get<double>() < *arguments.require_success) {
+      std::cerr << fmt::format("{}: success rate {:.4f} is under the required {}\n", title_of(row),
+                               row.at("success_rate").get<double>(), *arguments.require_success);
+      return static_cast<int>(ExitCode::Failed);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+VerbAction add_sweep_verb(CLI::App& app) {
+  auto arguments = std::make_shared<SweepArguments>();
+  CLI::App* verb = app.add_subcommand("sweep", "run many seeds in this process, print statistics");
+  add_scenario_options(*verb, arguments->world);
+  verb->get_option("--set")->description("key=a,b,c: a scenario key and the values it takes in turn; may be repeated");
+  verb->get_option("--seed")->description("seed of the first run (0); run i has this seed + i");
+  verb->add_option("--runs", arguments->runs, "runs of each combination")
+      ->check(CLI::Range(1U, 10'000'000U))
+      ->capture_default_str();
+  verb->add_option("--jobs", arguments->jobs, "threads; by default one a core")->check(CLI::Range(1U, 1024U));
+  verb->add_option("--require-success", arguments->require_success, "exit 1 if a success rate is lower")
+      ->check(CLI::Range(0.0, 1.0));
+  verb->add_flag("--json", arguments->json, "print JSON, with every run");
+  return [arguments] { return sweep(*arguments); };
+}
+
+}  // namespace skein

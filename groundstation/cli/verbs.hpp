@@ -1,0 +1,17 @@
+// The verbs of `skein`, one file each: a verb adds its flags to the command line and gives back what runs it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace skein {
+
+/// Runs the verb after parsing. @return the exit code (docs/architecture.md)
+using VerbAction = std::function<int()>;
+
+[[nodiscard]] VerbAction add_run_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_sweep_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_validate_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_version_verb(CLI::App& app);
+
+}  // namespace skein

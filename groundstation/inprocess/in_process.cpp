@@ -1,0 +1,106 @@
+#include "groundstation/inprocess/in_process.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "agent/runtime/agent_session.hpp"
+#include "idl/process/poll.hpp"
+#include "simworld/report/report.hpp"
+
+namespace skein {
+namespace {
+
+constexpr std::uint64_t kRun = 1;
+constexpr std::uint64_t kWorldNonce = 1;
+constexpr double kLeastWait_s = 1e-3;
+
+struct Member {
+  std::unique_ptr<bus::AgentPort> port;
+  std::unique_ptr<AgentSession> session;
+};
+
+class Harness final : public ProcessControl {
+ public:
+  Harness(const Scenario& scenario, const InProcessOptions& options)
+      : scenario_(scenario),
+        options_(options),
+        bus_(kWorldNonce),
+        session_(scenario, session_options(options), bus_.world(), this, now_s_) {
+    if (options.tamper) bus_.set_tamper(options.tamper);
+    wall_.created_s = steady_now_s();
+    for (const VehicleSpec& vehicle : scenario.mission.vehicles) {
+      const std::uint64_t nonce = kWorldNonce + vehicle.id;
+      Member& member = members_[vehicle.id];
+      member.port = bus_.attach(vehicle.id, nonce);
+      member.session = std::make_unique<AgentSession>(vehicle.id, nonce, *member.port, now_s_);
+    }
+  }
+
+  void kill(AgentId agent) override {
+    members_.erase(agent);
+    session_.process_ended(agent, now_s_);
+  }
+
+  InProcessResult run() {
+    std::optional<int> signal;
+    while (session_.state() != WorldSession::State::Done) {
+      const std::uint32_t round = session_.run().rounds();
+      for (auto& [id, member] : members_) member.session->poll(now_s_);
+      session_.poll(now_s_);
+      note_times();
+      if (options_.signal && !signal && (signal = options_.signal())) {
+        session_.interrupt(fmt::format("ended by signal {}", *signal), now_s_);
+      }
+      if (session_.run().rounds() == round) {
+        now_s_ += wait_s();
+      } else if (options_.on_round) {
+        options_.on_round(session_);
+      }
+    }
+    const ReportContext context{"in-process", signal, wall_};
+    return {make_report(session_, scenario_, context), exit_code_of(session_, context)};
+  }
+
+ private:
+  static SessionOptions session_options(const InProcessOptions& options) {
+    SessionOptions session;
+    session.run = kRun;
+    session.nonce = kWorldNonce;
+    session.fail_fast = options.fail_fast;
+    session.faults = options.faults;
+    session.replay = options.replay;
+    return session;
+  }
+
+  /// Until somebody has something to do.
+  [[nodiscard]] double wait_s() const {
+    double wait_s = session_.idle_s(now_s_);
+    for (const auto& [id, member] : members_) wait_s = std::min(wait_s, member.session->idle_s(now_s_));
+    return std::max(wait_s, kLeastWait_s);
+  }
+
+  void note_times() {
+    const PhaseTimes& reached = session_.times();
+    for (double PhaseTimes::*time : {&PhaseTimes::started_s, &PhaseTimes::flying_s, &PhaseTimes::finished_s}) {
+      if (reached.*time >= 0.0 && wall_.*time < 0.0) wall_.*time = steady_now_s();
+    }
+  }
+
+  const Scenario& scenario_;
+  const InProcessOptions& options_;
+  double now_s_ = 0.0;
+  bus::MemoryBus bus_;
+  WorldSession session_;
+  PhaseTimes wall_;
+  std::map<AgentId, Member> members_;
+};
+
+}  // namespace
+
+InProcessResult run_in_process(const Scenario& scenario, const InProcessOptions& options) {
+  return Harness(scenario, options).run();
+}
+
+}  // namespace skein

@@ -1,0 +1,31 @@
+// A whole run in one process, over the in-memory bus: the same sessions, behaviours and wire structs as over DDS.
+//
+// World and agents take turns; time is a manual clock that moves only when nobody has anything to do, so that lost
+// samples are repeated without waiting. The state hash equals that of the same scenario and seed over DDS.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "idl/bus/memory_bus.hpp"
+#include "simworld/lockstep/world_session.hpp"
+
+namespace skein {
+
+struct InProcessOptions {
+  std::vector<Fault> faults;
+  std::vector<RosterChange> replay;
+  bool fail_fast = false;
+  bus::Tamper tamper;                                 ///< sees every sample in transit; empty for none
+  std::function<std::optional<int>()> signal;         ///< asked every turn: a signal that ends the run; empty for none
+  std::function<void(const WorldSession&)> on_round;  ///< called after every round; empty for none
+};
+
+struct InProcessResult {
+  nlohmann::ordered_json report;
+  int exit_code = 0;
+};
+
+[[nodiscard]] InProcessResult run_in_process(const Scenario& scenario, const InProcessOptions& options);
+
+}  // namespace skein

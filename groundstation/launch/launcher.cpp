@@ -1,0 +1,108 @@
+#include "groundstation/launch/launcher.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "idl/process/poll.hpp"
+
+namespace skein {
+namespace {
+
+constexpr double kGrace_s = 3.0;       ///< for an agent to end by itself, and then after SIGTERM
+constexpr double kWorldGrace_s = 8.0;  ///< for the world to end after a signal
+
+}  // namespace
+
+Launcher::Launcher(LaunchPlan plan) : plan_(std::move(plan)), signals_({SIGINT, SIGTERM, SIGCHLD}) {}
+
+int Launcher::run() {
+  auto [near, far] = ControlChannel::pair();
+  channel_ = std::make_unique<ControlChannel>(std::move(near));
+  std::vector<std::string> arguments = plan_.world_arguments;
+  arguments.insert(arguments.end(), {"--control-fd", std::to_string(far.fd())});
+  world_ = std::make_unique<Child>(plan_.binaries + "/skein-simworld", arguments, plan_.out + "/world.log", far.fd());
+  far.close();
+  while (world_->running()) {
+    wait_readable({signals_.fd(), channel_->fd()}, 1.0);
+    take_signals();
+    take_messages();
+    reap();
+    if (signal_ && steady_now_s() > signalled_s_ + kWorldGrace_s) world_->signal(SIGKILL);
+  }
+  end_agents();
+  return *world_->status();
+}
+
+void Launcher::start_agent(unsigned id) {
+  std::vector<std::string> arguments = plan_.agent_arguments;
+  arguments.insert(arguments.end(), {"--id", std::to_string(id)});
+  auto child = std::make_unique<Child>(plan_.binaries + "/skein-agent", arguments,
+                                       fmt::format("{}/agent-{}.log", plan_.out, id), -1);
+  records_[id].pid = child->pid();
+  channel_->send({{"started", id}, {"pid", child->pid()}});
+  children_[id] = std::move(child);
+}
+
+void Launcher::take_messages() {
+  while (const auto message = channel_->receive()) {
+    if (const auto id = message->find("launch"); id != message->end() && !signal_) start_agent(id->get<unsigned>());
+    if (const auto id = message->find("kill"); id != message->end()) {
+      const auto child = children_.find(id->get<unsigned>());
+      if (child != children_.end()) child->second->signal(SIGKILL);
+    }
+    if (const auto progress = message->find("progress"); progress != message->end()) {
+      if (progress->value("phase", "") == "flying") note_memory();
+      if (plan_.on_progress) plan_.on_progress(*progress);
+    }
+  }
+}
+
+void Launcher::take_signals() {
+  while (const auto number = signals_.take()) {
+    if (*number == SIGCHLD) continue;
+    if (!signal_) {
+      signal_ = number;
+      signalled_s_ = steady_now_s();
+      world_->signal(*number);
+    } else {
+      for (const auto& [id, child] : children_) child->signal(SIGKILL);
+      world_->signal(SIGKILL);
+    }
+  }
+}
+
+void Launcher::reap() {
+  for (auto& [id, child] : children_) {
+    AgentProcess& record = records_[id];
+    if (record.wait_status || child->running()) continue;
+    record.wait_status = child->status();
+    channel_->send({{"ended", id}, {"pid", record.pid}, {"status", *record.wait_status}});
+  }
+}
+
+void Launcher::note_memory() {
+  if (std::exchange(memory_noted_, true)) return;
+  for (auto& [id, record] : records_) record.pss_mb = pss_mb(record.pid);
+}
+
+bool Launcher::agents_running() {
+  return std::ranges::any_of(children_, [](const auto& entry) { return entry.second->running(); });
+}
+
+void Launcher::end_agents() {
+  for (const int number : {0, SIGTERM, SIGKILL}) {
+    for (const auto& [id, child] : children_) {
+      if (number != 0 && child->running()) child->signal(number);
+    }
+    const double until_s = steady_now_s() + (signal_ && number == 0 ? 0.5 : kGrace_s);
+    while (agents_running() && steady_now_s() < until_s) {
+      wait_readable({signals_.fd()}, 0.1);
+      take_signals();
+    }
+  }
+  reap();
+}
+
+}  // namespace skein

@@ -1,0 +1,67 @@
+// Runs a swarm as processes of this machine: one world, one agent a vehicle, and the end of all of them.
+//
+// The launcher starts the world with its own flags, and the agents that the world names over the control channel. It
+// tells the world at once when an agent's process ends, carries out faults on purpose, passes the first SIGINT or
+// SIGTERM on to the world, and ends everything at the second. When the world has ended, agents that are left get a few
+// seconds to end by themselves, then SIGTERM, then SIGKILL. Children die with the launcher.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "groundstation/launch/child.hpp"
+#include "idl/process/signals.hpp"
+#include "simworld/control/control_channel.hpp"
+
+namespace skein {
+
+struct LaunchPlan {
+  std::string binaries;                      ///< folder of skein-simworld and skein-agent
+  std::string out;                           ///< folder of the logs
+  std::vector<std::string> world_arguments;  ///< without --control-fd
+  std::vector<std::string> agent_arguments;  ///< without --id
+  std::function<void(const nlohmann::json&)> on_progress;
+};
+
+/// How one agent's process went.
+struct AgentProcess {
+  pid_t pid = 0;
+  std::optional<int> wait_status;
+  std::optional<double> pss_mb;  ///< when the flight began
+};
+
+class Launcher {
+ public:
+  /// Blocks SIGINT, SIGTERM and SIGCHLD: construct it before any thread.
+  explicit Launcher(LaunchPlan plan);
+
+  /// Runs until every process has ended. @return the world's wait status
+  int run();
+
+  [[nodiscard]] const std::map<unsigned, AgentProcess>& agents() const { return records_; }
+  /// The first SIGINT or SIGTERM that the launcher got.
+  [[nodiscard]] std::optional<int> signal() const { return signal_; }
+
+ private:
+  void start_agent(unsigned id);
+  void take_messages();
+  void take_signals();
+  void reap();
+  void note_memory();
+  void end_agents();
+  [[nodiscard]] bool agents_running();
+
+  LaunchPlan plan_;
+  SignalWatch signals_;
+  std::unique_ptr<ControlChannel> channel_;
+  std::unique_ptr<Child> world_;
+  std::map<unsigned, std::unique_ptr<Child>> children_;
+  std::map<unsigned, AgentProcess> records_;
+  std::optional<int> signal_;
+  double signalled_s_ = 0.0;
+  bool memory_noted_ = false;
+};
+
+}  // namespace skein

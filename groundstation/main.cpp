@@ -1,0 +1,18 @@
+// skein VERB: the ground station.
+#include <map>
+
+#include "groundstation/cli/verbs.hpp"
+#include "idl/process/common_flags.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("Skein: distributed UAV swarms over DDS", "skein");
+  app.require_subcommand(1);
+  const std::map<std::string, skein::VerbAction> verbs{
+      {"run", skein::add_run_verb(app)},
+      {"sweep", skein::add_sweep_verb(app)},
+      {"validate", skein::add_validate_verb(app)},
+      {"version", skein::add_version_verb(app)},
+  };
+  if (const auto code = skein::parse_or_exit_code(app, argc, argv)) return *code;
+  return verbs.at(app.get_subcommands().front()->get_name())();
+}

@@ -1,0 +1,137 @@
+#include "groundstation/sweep/sweep.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "groundstation/inprocess/in_process.hpp"
+
+namespace skein {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Job {
+  std::size_t combination = 0;
+  std::uint64_t seed = 0;
+};
+
+Scenario load(const SweepPlan& plan, const std::vector<Override>& set, std::uint64_t seed) {
+  ScenarioResult result = load_scenario(plan.scenario, set, seed);
+  if (const auto* fault = std::get_if<ScenarioFault>(&result)) throw std::invalid_argument(fault->line());
+  return std::get<Scenario>(std::move(result));
+}
+
+Json run_of(const Scenario& scenario) {
+  const InProcessResult result = run_in_process(scenario, {});
+  Json run{{"seed", scenario.mission.seed},
+           {"exit_code", result.exit_code},
+           {"state_hash", result.report.at("state_hash")},
+           {"reason", result.report.at("reason")}};
+  run["figures"] = figures_of(result.report);
+  return run;
+}
+
+Json row_of(const std::vector<Override>& set, const std::vector<Json>& runs) {
+  Json row;
+  row["set"] = Json::object();
+  for (const Override& item : set) row["set"][item.key] = item.value;
+  Json failures = Json::array();
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<double>> columns;
+  for (const Json& run : runs) {
+    if (run.at("exit_code") != 0) failures.push_back({{"seed", run.at("seed")}, {"reason", run.at("reason")}});
+    for (const auto& [name, value] : run.at("figures").items()) {
+      if (!columns.contains(name)) names.push_back(name);
+      columns[name].push_back(value.get<double>());
+    }
+  }
+  row["runs"] = runs.size();
+  row["success_rate"] =
+      runs.empty() ? 0.0 : 1.0 - static_cast<double>(failures.size()) / static_cast<double>(runs.size());
+  row["failures"] = failures;
+  row["figures"] = Json::object();
+  for (const std::string& name : names) row["figures"][name] = summary_of(columns[name]);
+  row["per_run"] = runs;
+  return row;
+}
+
+}  // namespace
+
+std::vector<std::vector<Override>> combinations_of(const std::vector<SweptKey>& keys) {
+  std::vector<std::vector<Override>> combinations{{}};
+  for (const SweptKey& swept : keys) {
+    std::vector<std::vector<Override>> longer;
+    for (const auto& combination : combinations) {
+      for (const std::string& value : swept.values) {
+        longer.push_back(combination);
+        longer.back().push_back({swept.key, value});
+      }
+    }
+    combinations = std::move(longer);
+  }
+  return combinations;
+}
+
+Json figures_of(const Json& report) {
+  Json figures;
+  for (const auto& [name, value] : report.items()) {
+    if (value.is_number() && name != "seed" && name != "exit_code") figures[name] = value;
+  }
+  double longest_m = 0.0;
+  for (const Json& vehicle : report.at("vehicles")) {
+    longest_m = std::max(longest_m, vehicle.at("planned_length_m").get<double>());
+    for (const auto& [name, value] : vehicle.items()) {
+      if (value.is_number() && name != "id" && name != "pid") {
+        figures["vehicles." + vehicle.at("id").dump() + "." + name] = value;
+      }
+    }
+  }
+  figures["longest_path_m"] = longest_m;
+  return figures;
+}
+
+SweepResult run_sweep(const SweepPlan& plan) {
+  const auto combinations = combinations_of(plan.keys);
+  std::vector<Scenario> scenarios;
+  for (const auto& set : combinations) scenarios.push_back(load(plan, set, plan.first_seed));
+  const std::size_t total = combinations.size() * plan.runs;
+  std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stopped{false};
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t job = next++; job < total && !stopped; job = next++) {
+      try {
+        Scenario scenario = scenarios[job / plan.runs];
+        scenario.mission.seed = plan.first_seed + job % plan.runs;
+        results[job / plan.runs][job % plan.runs] = run_of(scenario);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
+        stopped = true;
+        return;
+      }
+      const std::lock_guard lock(mutex);
+      if (plan.on_progress) plan.on_progress(++done, total);
+      if (plan.stop && plan.stop()) stopped = true;
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned i = 1; i < plan.jobs; ++i) threads.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  SweepResult result{stopped, Json::array()};
+  for (std::size_t i = 0; i < combinations.size(); ++i) {
+    std::erase_if(results[i], [](const Json& run) { return run.is_null(); });
+    result.rows.push_back(row_of(combinations[i], results[i]));
+  }
+  return result;
+}
+
+}  // namespace skein

@@ -1,0 +1,82 @@
+#include "simworld/lockstep/admission.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace skein {
+
+Admission::Admission(std::uint64_t run, std::uint64_t world_nonce, std::vector<AgentId> ids, double silence_s)
+    : run_(run), world_nonce_(world_nonce), ids_(std::move(ids)), silence_s_(silence_s) {}
+
+void Admission::refuse(std::uint64_t nonce, RefusalReason reason) {
+  if (std::ranges::find(refused_, nonce, &Refusal::nonce) == refused_.end()) refused_.push_back({nonce, reason});
+}
+
+void Admission::introduce(const Beacon& beacon, double now_s) {
+  if (!std::ranges::binary_search(ids_, beacon.agent)) return refuse(beacon.nonce, RefusalReason::UnknownId);
+  if (closed_) {
+    const auto held = holders_.find(beacon.agent);
+    // A late copy of the holder's own introduction is no newcomer.
+    if (held == holders_.end() || held->second.nonce != beacon.nonce) {
+      refuse(beacon.nonce, held == holders_.end() ? RefusalReason::RunStarted : RefusalReason::IdInUse);
+    }
+    return;
+  }
+  auto [found, fresh] = holders_.try_emplace(beacon.agent);
+  Holder& holder = found->second;
+  if (!fresh && holder.nonce != beacon.nonce) {
+    if (now_s - holder.heard_s < silence_s_) {
+      holder.challenger = beacon.nonce;
+      return;
+    }
+    holder = Holder{};
+  }
+  holder.nonce = beacon.nonce;
+  holder.has_mission = beacon.run == run_;
+  holder.matched = beacon.matched;
+  std::ranges::sort(holder.matched);
+  holder.heard_s = now_s;
+  if (holder.challenger) refuse(*holder.challenger, RefusalReason::IdInUse);
+  holder.challenger.reset();
+}
+
+void Admission::forget(std::uint64_t nonce) {
+  std::erase_if(holders_, [&](const auto& entry) { return entry.second.nonce == nonce; });
+}
+
+bool Admission::complete(AgentId id, std::span<const std::uint64_t> world_matched) const {
+  const auto found = holders_.find(id);
+  if (found == holders_.end()) return false;
+  const Holder& self = found->second;
+  if (!self.has_mission || !std::ranges::binary_search(world_matched, self.nonce)) return false;
+  if (!std::ranges::binary_search(self.matched, world_nonce_)) return false;
+  return std::ranges::all_of(holders_, [&](const auto& other) {
+    return other.first == id || (std::ranges::binary_search(self.matched, other.second.nonce) &&
+                                 std::ranges::binary_search(other.second.matched, self.nonce));
+  });
+}
+
+std::size_t Admission::matched(std::span<const std::uint64_t> world_matched) const {
+  return ids_.size() - missing(world_matched).size();
+}
+
+std::vector<AgentId> Admission::missing(std::span<const std::uint64_t> world_matched) const {
+  std::vector<AgentId> ids;
+  for (const AgentId id : ids_) {
+    if (!complete(id, world_matched)) ids.push_back(id);
+  }
+  return ids;
+}
+
+std::optional<std::vector<RosterEntry>> Admission::roster(std::span<const std::uint64_t> world_matched) const {
+  if (!missing(world_matched).empty()) return std::nullopt;
+  std::vector<RosterEntry> roster;
+  for (const auto& [id, holder] : holders_) roster.push_back({id, 1, holder.nonce, false, false});
+  return roster;
+}
+
+std::vector<Refusal> Admission::take_refused() {
+  return std::exchange(refused_, {});
+}
+
+}  // namespace skein

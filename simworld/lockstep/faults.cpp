@@ -1,0 +1,54 @@
+#include "simworld/lockstep/faults.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+
+namespace skein {
+namespace {
+
+constexpr std::string_view kForm = "allowed: kill:ID@plan:ROUND or kill:ID@fly:STEP";
+
+/// The number that fills the whole text, at least 1.
+std::optional<std::uint32_t> number(std::string_view text) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value == 0) return std::nullopt;
+  return value;
+}
+
+/// Splits at the first `mark`: the text before it, and `text` left as what follows.
+std::optional<std::string_view> cut(std::string_view& text, char mark) {
+  const auto at = text.find(mark);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view before = text.substr(0, at);
+  text.remove_prefix(at + 1);
+  return before;
+}
+
+ParsedFault wrong(std::string_view text, std::string_view what) {
+  return {std::nullopt, fmt::format("--fault {}: {}; {}", text, what, kForm)};
+}
+
+}  // namespace
+
+std::string text_of(const Fault& fault) {
+  return fmt::format("kill:{}@{}:{}", fault.agent, fault.phase == Phase::Planning ? "plan" : "fly", fault.at);
+}
+
+ParsedFault parse_fault(std::string_view text) {
+  std::string_view rest = text;
+  const auto kind = cut(rest, ':');
+  const auto agent = kind ? cut(rest, '@') : std::nullopt;
+  const auto phase = agent ? cut(rest, ':') : std::nullopt;
+  if (!phase) return wrong(text, "not of the form KIND:ID@PHASE:NUMBER");
+  if (*kind != "kill") return wrong(text, fmt::format("unknown kind '{}'", *kind));
+  if (*phase != "plan" && *phase != "fly") return wrong(text, fmt::format("unknown phase '{}'", *phase));
+  const auto id = number(*agent);
+  if (!id || *id > kMaxAgents) return wrong(text, fmt::format("'{}' is no agent id", *agent));
+  const auto at = number(rest);
+  if (!at) return wrong(text, fmt::format("'{}' is no round or step", rest));
+  return {Fault{FaultKind::Kill, *id, *phase == "plan" ? Phase::Planning : Phase::Flying, *at}, {}};
+}
+
+}  // namespace skein

@@ -1,0 +1,37 @@
+// Faults on purpose: what shall happen to which agent, at which tick.
+//
+// Written `kill:ID@plan:ROUND` or `kill:ID@fly:STEP`. The world holds that tick until the effect is confirmed, so that
+// a fault takes place at the same point of every run.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "planner/core/lockstep/samples.hpp"
+
+namespace skein {
+
+enum class FaultKind : std::uint8_t { Kill };
+
+struct Fault {
+  FaultKind kind = FaultKind::Kill;
+  AgentId agent = 0;
+  Phase phase = Phase::Planning;  ///< Planning or Flying
+  std::uint32_t at = 0;           ///< the planning round or the flight step whose tick is held
+
+  bool operator==(const Fault&) const = default;
+};
+
+/// What parsing a fault gives: the fault, or one line that names what is wrong and what is allowed.
+struct ParsedFault {
+  std::optional<Fault> fault;
+  std::string error;
+};
+
+/// The fault in the words that parse_fault takes.
+[[nodiscard]] std::string text_of(const Fault& fault);
+
+[[nodiscard]] ParsedFault parse_fault(std::string_view text);
+
+}  // namespace skein

@@ -1,0 +1,166 @@
+#include "simworld/lockstep/run.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "planner/core/lockstep/names.hpp"
+
+namespace skein {
+namespace {
+
+bool holds(std::span<const Loss> lost, AgentId agent) {
+  return std::ranges::find(lost, agent, &Loss::agent) != lost.end();
+}
+
+const Beacon& beacon_of(const Barrier& answers, AgentId agent) {
+  const Answer* answer = answers.answer_of(agent);
+  if (answer == nullptr || !answer->beacon) {
+    throw std::logic_error(fmt::format("round decided without the beacon of agent {}", agent));
+  }
+  return *answer->beacon;
+}
+
+std::string planning_failure(const Beacon& beacon) {
+  std::string text =
+      fmt::format("planning failed: agent {} cannot satisfy {}", beacon.agent, name_of(beacon.constraint));
+  if (beacon.constraint == Constraint::Separation) text += fmt::format(" with agent {}", beacon.constraint_peer);
+  return text;
+}
+
+}  // namespace
+
+Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options, bool fail_fast)
+    : run_(run),
+      mission_(mission),
+      options_(options),
+      fail_fast_(fail_fast),
+      world_(mission, options.on_agent_loss),
+      hash_(mission_hash(mission)) {
+  for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({vehicle.id, 0.0, 0.0, 0});
+}
+
+Tick Run::begin(std::vector<RosterEntry> roster) {
+  roster_ = std::move(roster);
+  phase_ = Phase::Planning;
+  round_ = 1;
+  return compose(nullptr);
+}
+
+Moment Run::next(const Barrier& answers, std::span<const Loss> lost) const {
+  if (phase_ == Phase::Flying) return {Phase::Flying, step_ + 1};
+  const bool ready = std::ranges::all_of(roster_, [&](const RosterEntry& entry) {
+    return holds(lost, entry.agent) || beacon_of(answers, entry.agent).mode == AgentMode::Ready;
+  });
+  return ready ? Moment{Phase::Flying, 1} : Moment{Phase::Planning, round_ + 1};
+}
+
+Tick Run::decide(const Barrier& answers, std::span<const Loss> lost) {
+  if (phase_ != Phase::Planning && phase_ != Phase::Flying) throw std::logic_error("no round is open");
+  const std::size_t known = changes_.size();
+  drop(lost);
+  if (roster_.empty()) {
+    finish("no agent is left");
+  } else if (fail_fast_ && changes_.size() > known) {
+    finish("ended at the first loss");
+  } else if (phase_ == Phase::Planning) {
+    decide_planning(answers);
+  } else {
+    decide_flight(answers);
+  }
+  fold_hash(answers);
+  ++round_;
+  for (std::size_t i = known; i < changes_.size(); ++i) {
+    changes_[i].step = step_;
+    changes_[i].round = round_;
+  }
+  return compose(&answers);
+}
+
+void Run::drop(std::span<const Loss> lost) {
+  for (const Loss& loss : lost) {
+    const auto found = std::ranges::find(roster_, loss.agent, &RosterEntry::agent);
+    if (found == roster_.end()) continue;
+    changes_.push_back({0, 0, loss.agent, found->incarnation, loss.reason});
+    roster_.erase(found);
+    world_.lose_agent(loss.agent);
+  }
+}
+
+void Run::note_plan(const Barrier& answers) {
+  for (const RosterEntry& entry : roster_) {
+    const Beacon& beacon = beacon_of(answers, entry.agent);
+    const auto figures = std::ranges::find(plan_, entry.agent, &PlanFigures::agent);
+    *figures = {entry.agent, beacon.planned_length_m, beacon.cost, beacon.generation};
+  }
+}
+
+void Run::decide_planning(const Barrier& answers) {
+  planning_rounds_ = round_;
+  note_plan(answers);
+  bool ready = true;
+  for (const RosterEntry& entry : roster_) {
+    const Beacon& beacon = beacon_of(answers, entry.agent);
+    if (beacon.mode == AgentMode::Failed) return finish(planning_failure(beacon));
+    ready = ready && beacon.mode == AgentMode::Ready;
+  }
+  if (ready) {
+    phase_ = Phase::Flying;
+    step_ = 1;
+  } else if (round_ >= options_.max_rounds) {
+    finish(fmt::format("planning did not end within world.max_rounds = {} rounds", options_.max_rounds));
+  }
+}
+
+void Run::decide_flight(const Barrier& answers) {
+  std::vector<VehicleCommand> commands;
+  commands.reserve(roster_.size());
+  for (const RosterEntry& entry : roster_) {
+    const Beacon& beacon = beacon_of(answers, entry.agent);
+    commands.push_back({entry.agent, beacon.commanded_velocity_mps, beacon.mode == AgentMode::Arrived});
+  }
+  world_.advance(step_, commands);
+  steps_flown_ = step_;
+  if (world_.all_ended()) {
+    finish("");
+  } else if (step_ >= options_.max_steps) {
+    finish(fmt::format("the flight did not end within world.max_steps = {} steps", options_.max_steps));
+  } else {
+    ++step_;
+  }
+}
+
+void Run::fold_hash(const Barrier& answers) {
+  StateHash hash(hash_);
+  hash.add(phase_).add(step_);
+  world_.add_to(hash);
+  for (const RosterEntry& entry : roster_) {
+    hash.add(entry.agent).add(entry.incarnation).add(beacon_of(answers, entry.agent).state_hash);
+  }
+  hash_ = hash.value();
+}
+
+void Run::finish(std::string failure) {
+  phase_ = Phase::Finished;
+  failure_ = std::move(failure);
+}
+
+Tick Run::compose(const Barrier* answers) const {
+  Tick tick;
+  tick.run = run_;
+  tick.step = step_;
+  tick.round = round_;
+  tick.phase = phase_;
+  tick.time_s = mission_.step_s * static_cast<double>(phase_ == Phase::Flying ? step_ - 1 : steps_flown_);
+  tick.roster = roster_;
+  for (RosterEntry& entry : tick.roster) {
+    const Answer* answer = answers == nullptr ? nullptr : answers->answer_of(entry.agent);
+    entry.representative = answer != nullptr && answer->beacon && answer->beacon->representative;
+    entry.sense = phase_ == Phase::Flying;
+  }
+  tick.world_hash = hash_;
+  return tick;
+}
+
+}  // namespace skein

@@ -1,0 +1,109 @@
+// The course of a run, decided round by round: phases, roster, motion, state hash, verdict. No I/O, no clock.
+//
+// A run plans in rounds of step 0, then flies one step a round. Deciding round k needs the answers of round k and who
+// is lost: tick k+1's roster decides what counts, so nothing of a lost agent does, even if it arrived.
+//   H(0) = mission hash;  H(k) = mix(H(k-1), world state, (id, incarnation, agent hash) of tick k+1's roster by id).
+// The same answers give the same ticks, whoever carries them: this is what makes runs repeat bit for bit.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "planner/core/lockstep/samples.hpp"
+#include "simworld/lockstep/barrier.hpp"
+#include "simworld/scenario/scenario.hpp"
+#include "simworld/world/world.hpp"
+
+namespace skein {
+
+/// An agent that is gone, and why.
+struct Loss {
+  AgentId agent = 0;
+  LossReason reason = LossReason::None;
+};
+
+/// Where a run is going: the phase of a tick and its planning round or flight step.
+struct Moment {
+  Phase phase = Phase::Planning;
+  std::uint32_t number = 0;
+
+  bool operator==(const Moment&) const = default;
+};
+
+/// Exit codes of every binary (docs/architecture.md).
+enum class ExitCode : std::uint8_t { Success = 0, Failed = 1, Usage = 2, StartUp = 3, AgentLost = 4 };
+
+struct Verdict {
+  ExitCode code = ExitCode::Success;
+  std::string reason;                      ///< one line
+  std::vector<AgentId> completed_without;  ///< lost agents, if all others arrived
+};
+
+/// What the swarm's plan came to, from the beacons.
+struct PlanFigures {
+  AgentId agent = 0;
+  double length_m = 0.0;
+  double cost = 0.0;
+  std::uint32_t generation = 0;
+};
+
+class Run {
+ public:
+  /// @param run the run's id; it is in no hash. @param fail_fast end at the first lost agent.
+  /// @throws std::invalid_argument for an empty mission.
+  Run(std::uint64_t run, const Mission& mission, const WorldOptions& options, bool fail_fast);
+
+  /// The tick of round 1. @pre `roster` holds every vehicle's agent, ascending.
+  [[nodiscard]] Tick begin(std::vector<RosterEntry> roster);
+
+  /// When the next tick will be, as far as the answers tell without those of `lost`.
+  [[nodiscard]] Moment next(const Barrier& answers, std::span<const Loss> lost) const;
+
+  /// Decides the open round and gives the next tick. @pre every agent of the roster that is not in `lost` has answered.
+  [[nodiscard]] Tick decide(const Barrier& answers, std::span<const Loss> lost);
+
+  [[nodiscard]] bool finished() const { return phase_ == Phase::Finished; }
+  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] std::uint32_t rounds() const { return round_; }
+  [[nodiscard]] std::uint32_t planning_rounds() const { return planning_rounds_; }
+  [[nodiscard]] std::uint32_t step() const { return step_; }
+  [[nodiscard]] std::uint32_t steps_flown() const { return steps_flown_; }
+  [[nodiscard]] std::uint64_t state_hash() const { return hash_; }
+  [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
+  [[nodiscard]] const std::vector<RosterChange>& changes() const { return changes_; }
+  [[nodiscard]] const std::vector<PlanFigures>& plan() const { return plan_; }
+  [[nodiscard]] const World& world() const { return world_; }
+  [[nodiscard]] const Mission& mission() const { return mission_; }
+  /// What the run came to. @pre finished().
+  [[nodiscard]] Verdict verdict() const;
+
+ private:
+  void drop(std::span<const Loss> lost);
+  void decide_planning(const Barrier& answers);
+  void decide_flight(const Barrier& answers);
+  void note_plan(const Barrier& answers);
+  void fold_hash(const Barrier& answers);
+  void finish(std::string failure);
+  [[nodiscard]] Tick compose(const Barrier* answers) const;
+  [[nodiscard]] std::string mission_failure() const;
+
+  std::uint64_t run_;
+  Mission mission_;
+  WorldOptions options_;
+  bool fail_fast_;
+  World world_;
+  Phase phase_ = Phase::Waiting;
+  std::uint32_t step_ = 0;
+  std::uint32_t round_ = 0;
+  std::uint32_t planning_rounds_ = 0;
+  std::uint32_t steps_flown_ = 0;
+  std::uint64_t hash_;
+  std::vector<RosterEntry> roster_;
+  std::vector<RosterChange> changes_;
+  std::vector<PlanFigures> plan_;
+  std::string failure_;
+};
+
+}  // namespace skein

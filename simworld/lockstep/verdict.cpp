@@ -1,0 +1,74 @@
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "planner/core/lockstep/names.hpp"
+#include "simworld/lockstep/run.hpp"
+
+namespace skein {
+namespace {
+
+std::string describe(const Contact& contact, const Mission& mission) {
+  switch (contact.kind) {
+    case ContactKind::Vehicles:
+      return fmt::format("vehicles {} and {} collided at step {}", contact.vehicle, contact.other, contact.step);
+    case ContactKind::NearMiss:
+      return fmt::format("vehicles {} and {} came within their safety radii at step {} ({:.1f} m apart)",
+                         contact.vehicle, contact.other, contact.step, contact.distance_m);
+    default:
+      return fmt::format("vehicle {} touched {} {} at step {}", contact.vehicle,
+                         mission.zones[contact.other].no_fly ? "no-fly zone" : "obstacle", contact.other, contact.step);
+  }
+}
+
+}  // namespace
+
+std::string Run::mission_failure() const {
+  if (!failure_.empty()) return failure_;
+  double first_s = 0.0;
+  double last_s = 0.0;
+  bool any = false;
+  for (const VehicleRecord& vehicle : world_.vehicles()) {
+    if (vehicle.status == VehicleStatus::Missed) return fmt::format("vehicle {} missed its slot", vehicle.spec.id);
+    if (vehicle.status != VehicleStatus::Arrived) continue;
+    first_s = any ? std::min(first_s, vehicle.arrival_time_s) : vehicle.arrival_time_s;
+    last_s = any ? std::max(last_s, vehicle.arrival_time_s) : vehicle.arrival_time_s;
+    any = true;
+  }
+  if (!any) return "no vehicle arrived";
+  if (last_s - first_s > mission_.step_s) return fmt::format("arrivals are {:.2f} s apart", last_s - first_s);
+  const auto near = std::ranges::find(world_.contacts(), ContactKind::NearMiss, &Contact::kind);
+  return near == world_.contacts().end() ? "" : describe(*near, mission_);
+}
+
+Verdict Run::verdict() const {
+  if (!finished()) throw std::logic_error("the run is not over");
+  Verdict verdict;
+  const std::string failure = mission_failure();
+  std::string losses;
+  for (const RosterChange& change : changes_) {
+    losses += fmt::format("{}agent {} was lost at step {}, round {}: {}", losses.empty() ? "" : "; ", change.agent,
+                          change.step, change.round, name_of(change.reason));
+    if (failure.empty()) verdict.completed_without.push_back(change.agent);
+  }
+  std::ranges::sort(verdict.completed_without);
+  const auto hit =
+      std::ranges::find_if(world_.contacts(), [](const Contact& c) { return c.kind != ContactKind::NearMiss; });
+  if (hit != world_.contacts().end()) {
+    verdict.code = ExitCode::Failed;
+    verdict.reason = describe(*hit, mission_);
+  } else if (!losses.empty()) {
+    verdict.code = ExitCode::AgentLost;
+    verdict.reason = failure.empty() ? losses + "; the others arrived" : losses + "; " + failure;
+  } else if (!failure.empty()) {
+    verdict.code = ExitCode::Failed;
+    verdict.reason = failure;
+  } else {
+    verdict.reason = "all vehicles arrived in formation";
+  }
+  return verdict;
+}
+
+}  // namespace skein

@@ -1,0 +1,262 @@
+#include "simworld/lockstep/world_session.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace skein {
+namespace {
+
+constexpr double kWaitingTick_s = 0.5;
+constexpr double kResend_s = 1.0;
+constexpr double kGoodbye_s = 2.0;  ///< how long the final tick waits for its answers
+
+std::vector<AgentId> ids_of(const Mission& mission) {
+  std::vector<AgentId> ids;
+  for (const VehicleSpec& vehicle : mission.vehicles) ids.push_back(vehicle.id);
+  return ids;
+}
+
+}  // namespace
+
+WorldSession::WorldSession(const Scenario& scenario, SessionOptions options, bus::WorldPort& port,
+                           ProcessControl* control, double now_s)
+    : mission_(scenario.mission),
+      deadline_s_(scenario.lockstep.deadline_s),
+      options_(std::move(options)),
+      port_(port),
+      control_(control),
+      run_(options_.run, scenario.mission, scenario.world, options_.fail_fast),
+      admission_(options_.run, options_.nonce, ids_of(scenario.mission), deadline_s_) {
+  if (control_ == nullptr && !options_.faults.empty()) {
+    throw std::invalid_argument("faults need a launcher that can end processes");
+  }
+  times_.created_s = now_s;
+  tick_.run = options_.run;
+  send(mission_, topics_.mission, now_s);
+}
+
+template <typename Value>
+void WorldSession::send(const Value& value, TopicCount& count, double now_s) {
+  const auto sample = to_wire(value, {static_cast<std::int64_t>(now_s * 1e9), options_.run});
+  ++count.samples;
+  count.bytes += std::remove_cvref_t<decltype(sample)>::getCdrSerializedSize(sample);
+  port_.publish(sample);
+}
+
+void WorldSession::poll(double now_s) {
+  if (state_ == State::Done) return;
+  take(now_s);
+  switch (state_) {
+    case State::Waiting:
+      return poll_waiting(now_s);
+    case State::Running:
+      return poll_running(now_s);
+    case State::Closing:
+      return poll_closing(now_s);
+    case State::Done:
+      return;
+  }
+}
+
+double WorldSession::idle_s(double now_s) const {
+  const double period_s = state_ == State::Waiting ? kWaitingTick_s : kResend_s;
+  return std::clamp(last_sent_s_ + period_s - now_s, 0.0, kWaitingTick_s);
+}
+
+void WorldSession::take(double now_s) {
+  inbox_.clear();
+  port_.take(inbox_);
+  for (const bus::WorldInbound& sample : inbox_) {
+    std::visit([&](const auto& typed) { on_sample(typed, now_s); }, sample);
+  }
+}
+
+void WorldSession::on_sample(const wire::Beacon& sample, double now_s) {
+  WireContext context;
+  context.run = options_.run;
+  if (state_ != State::Waiting) context.roster = tick_.roster;
+  const Checked<Beacon> checked = from_wire(sample, context);
+  if (!checked.ok()) return faults_.add(checked.fault().reason);
+  const Beacon& beacon = checked.value();
+  if (beacon.mode == AgentMode::Leaving) {
+    if (state_ == State::Waiting) return admission_.forget(beacon.nonce);
+    return add_loss(beacon.agent, LossReason::Left);
+  }
+  if (beacon.incarnation == 0) return admission_.introduce(beacon, now_s);
+  if (!beacon.closes_round) return serve_needs(beacon, now_s);
+  if (barrier_.accept(beacon)) {
+    ++topics_.beacon.samples;
+    topics_.beacon.bytes += wire::Beacon::getCdrSerializedSize(sample);
+  }
+}
+
+void WorldSession::on_sample(const wire::Representative& sample, double /*now_s*/) {
+  WireContext context;
+  context.run = options_.run;
+  context.roster = tick_.roster;
+  const Checked<Representative> checked = from_wire(sample, context);
+  if (!checked.ok()) return faults_.add(checked.fault().reason);
+  if (barrier_.accept(checked.value())) {
+    ++topics_.representative.samples;
+    topics_.representative.bytes += wire::Representative::getCdrSerializedSize(sample);
+  }
+}
+
+void WorldSession::serve_needs(const Beacon& beacon, double now_s) {
+  for (const Need& need : beacon.needs) {
+    const auto found = repeatable_.find(need.agent);
+    if (found == repeatable_.end() || found->second.round != need.round) continue;
+    TopicCount repeated;  // the sender's sample was counted when it arrived
+    send(found->second, repeated, now_s);
+  }
+}
+
+void WorldSession::poll_waiting(double now_s) {
+  world_matched_ = port_.matched();
+  if (auto roster = admission_.roster(world_matched_)) {
+    admission_.close();
+    state_ = State::Running;
+    times_.started_s = now_s;
+    return open(run_.begin(std::move(*roster)), now_s);
+  }
+  if (now_s - times_.created_s > options_.startup_timeout_s) {
+    const std::string missing = fmt::format("{}", fmt::join(admission_.missing(world_matched_), ", "));
+    return refuse_start(fmt::format("start-up timed out after {} s: {} of {} agents matched; missing: {}",
+                                    options_.startup_timeout_s, matched(), mission_.vehicles.size(), missing),
+                        now_s);
+  }
+  if (now_s - last_sent_s_ >= kWaitingTick_s) publish_tick(now_s);
+}
+
+void WorldSession::poll_running(double now_s) {
+  drop_silent(now_s);
+  if (!awaited_.empty() || barrier_.complete()) {
+    if (!held_by_fault(now_s)) advance(now_s);
+  } else if (now_s - last_sent_s_ >= kResend_s) {
+    publish_tick(now_s);
+    for (const AgentId agent : barrier_.waiting_for()) {
+      const auto entry = std::ranges::find(tick_.roster, agent, &RosterEntry::agent);
+      if (entry->sense) publish_sense(*entry, now_s);
+    }
+  }
+}
+
+void WorldSession::poll_closing(double now_s) {
+  if (barrier_.complete() || now_s - barrier_.opened_s() > kGoodbye_s) state_ = State::Done;
+}
+
+void WorldSession::drop_silent(double now_s) {
+  if (!awaited_.empty() || now_s - barrier_.opened_s() < deadline_s_) return;
+  for (const AgentId agent : barrier_.waiting_for()) add_loss(agent, LossReason::Deadline);
+}
+
+void WorldSession::add_loss(AgentId agent, LossReason reason) {
+  const bool live = std::ranges::find(tick_.roster, agent, &RosterEntry::agent) != tick_.roster.end();
+  if (!live || std::ranges::find(lost_, agent, &Loss::agent) != lost_.end()) return;
+  lost_.push_back({agent, reason});
+  barrier_.excuse(agent);
+}
+
+void WorldSession::process_ended(AgentId agent, double now_s) {
+  std::erase_if(awaited_, [&](const Fault& fault) { return fault.agent == agent; });
+  if (state_ == State::Waiting) {
+    lost_before_start_ = true;
+    refuse_start(fmt::format("agent {} ended before the run started", agent), now_s);
+  } else {
+    add_loss(agent, LossReason::ProcessEnded);
+  }
+}
+
+bool WorldSession::held_by_fault(double now_s) {
+  const Moment moment = run_.next(barrier_, lost_);
+  for (auto fault = options_.faults.begin(); fault != options_.faults.end();) {
+    const bool due = Moment{fault->phase, fault->at} == moment;
+    const bool live = std::ranges::find(tick_.roster, fault->agent, &RosterEntry::agent) != tick_.roster.end();
+    if (due && live && std::ranges::find(lost_, fault->agent, &Loss::agent) == lost_.end()) {
+      awaited_.push_back(*fault);
+      awaited_since_s_ = now_s;
+      control_->kill(fault->agent);
+    }
+    fault = due ? options_.faults.erase(fault) : std::next(fault);
+  }
+  if (!awaited_.empty() && now_s - awaited_since_s_ > deadline_s_) {
+    interrupt(fmt::format("the fault on agent {} took no effect within {} s", awaited_.front().agent, deadline_s_),
+              now_s);
+    return true;
+  }
+  return !awaited_.empty();
+}
+
+void WorldSession::replay_losses() {
+  for (const RosterChange& change : options_.replay) {
+    if (change.round == run_.rounds() + 1) add_loss(change.agent, change.reason);
+  }
+}
+
+void WorldSession::advance(double now_s) {
+  replay_losses();
+  repeatable_.clear();
+  for (const RosterEntry& entry : tick_.roster) {
+    const Answer* answer = barrier_.answer_of(entry.agent);
+    if (answer->representative) repeatable_[entry.agent] = *answer->representative;
+  }
+  const Tick next = run_.decide(barrier_, lost_);
+  lost_.clear();
+  if (next.phase == Phase::Flying && times_.flying_s < 0.0) times_.flying_s = now_s;
+  if (next.phase == Phase::Finished) {
+    times_.finished_s = now_s;
+    state_ = State::Closing;
+  }
+  open(next, now_s);
+}
+
+void WorldSession::open(const Tick& tick, double now_s) {
+  tick_ = tick;
+  barrier_.open(tick_, now_s);
+  for (const RosterEntry& entry : tick_.roster) {
+    if (entry.sense) publish_sense(entry, now_s);
+  }
+  publish_tick(now_s);
+}
+
+void WorldSession::publish_tick(double now_s) {
+  tick_.refused = admission_.take_refused();
+  send(tick_, topics_.tick, now_s);
+  last_sent_s_ = now_s;
+}
+
+void WorldSession::publish_sense(const RosterEntry& entry, double now_s) {
+  const VehicleRecord& vehicle = run_.world().vehicle(entry.agent);
+  Sense sense;
+  sense.run = options_.run;
+  sense.agent = entry.agent;
+  sense.incarnation = entry.incarnation;
+  sense.round = tick_.round;
+  sense.pose = pose_of(vehicle.state);
+  sense.velocity_mps = vehicle.state.velocity_mps;
+  send(sense, topics_.sense, now_s);
+}
+
+void WorldSession::refuse_start(const std::string& reason, double now_s) {
+  if (state_ != State::Waiting) return;
+  start_failure_ = reason;
+  interrupt(reason, now_s);
+}
+
+void WorldSession::interrupt(std::string reason, double now_s) {
+  if (state_ == State::Closing || state_ == State::Done) return;
+  interrupted_ = std::move(reason);
+  times_.finished_s = now_s;
+  state_ = State::Closing;
+  Tick last = tick_;
+  last.phase = Phase::Finished;
+  ++last.round;
+  last.roster = run_.roster();
+  for (RosterEntry& entry : last.roster) entry.sense = entry.representative = false;
+  open(last, now_s);
+}
+
+}  // namespace skein

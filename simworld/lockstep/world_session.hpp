@@ -1,0 +1,139 @@
+// The world's end of the lockstep protocol, over any carrier: admits agents, opens rounds, repeats what got lost, and
+// names who is gone. Receive, convert, decide (simworld/lockstep/run.hpp), convert, send.
+//
+// While it waits it publishes a tick of phase `waiting` every 0.5 s. A round advances when every live agent has closed
+// it. An unanswered tick is sent again every second; an agent that leaves it unanswered for the deadline, says goodbye,
+// or whose process is known to have ended, is dropped with the next tick. Faults on purpose hold a tick until their
+// effect is confirmed. Time comes from the caller, in seconds of any steady clock.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "idl/bus/port.hpp"
+#include "idl/convert/convert.hpp"
+#include "simworld/lockstep/admission.hpp"
+#include "simworld/lockstep/faults.hpp"
+#include "simworld/lockstep/run.hpp"
+
+namespace skein {
+
+/// Ends agent processes on the world's behalf (faults on purpose). The effect is confirmed by
+/// WorldSession::process_ended.
+class ProcessControl {
+ public:
+  virtual ~ProcessControl() = default;
+  virtual void kill(AgentId agent) = 0;
+};
+
+struct SessionOptions {
+  std::uint64_t run = 0;    ///< id of the run, not 0
+  std::uint64_t nonce = 0;  ///< the world's own, as its port announces it
+  double startup_timeout_s = 30.0;
+  bool fail_fast = false;
+  std::vector<Fault> faults;
+  std::vector<RosterChange> replay;  ///< losses of another run, repeated at the same rounds
+};
+
+/// Samples and CDR payload bytes of one topic, as the world sent or took them.
+struct TopicCount {
+  std::uint64_t samples = 0;
+  std::uint64_t bytes = 0;
+};
+
+struct TopicCounts {
+  TopicCount mission, tick, sense, beacon, representative;
+};
+
+/// Times at which the run changed phase, in the caller's clock; negative until then.
+struct PhaseTimes {
+  double created_s = -1.0;
+  double started_s = -1.0;  ///< the first round opened
+  double flying_s = -1.0;
+  double finished_s = -1.0;
+};
+
+class WorldSession {
+ public:
+  enum class State : std::uint8_t { Waiting, Running, Closing, Done };
+
+  /// @param control nullptr when nobody can end processes; then `options.faults` must be empty.
+  /// @throws std::invalid_argument for a bad mission, or faults without control.
+  WorldSession(const Scenario& scenario, SessionOptions options, bus::WorldPort& port, ProcessControl* control,
+               double now_s);
+
+  /// Takes what arrived and does what is due.
+  void poll(double now_s);
+  /// Seconds until the next poll has something to do, if nothing arrives before.
+  [[nodiscard]] double idle_s(double now_s) const;
+
+  /// The launcher says that an agent's process has ended.
+  void process_ended(AgentId agent, double now_s);
+  /// The run must not start (another world has the swarm): ends with exit code 3. Without effect once it runs.
+  void refuse_start(const std::string& reason, double now_s);
+  /// Does not wait for anybody any more.
+  void give_up() { state_ = State::Done; }
+  /// Ends the run now, with a final tick; `reason` goes into the report.
+  void interrupt(std::string reason, double now_s);
+
+  [[nodiscard]] State state() const { return state_; }
+  /// Why the run never started or was cut short; empty otherwise.
+  [[nodiscard]] const std::string& start_failure() const { return start_failure_; }
+  [[nodiscard]] const std::string& interrupted() const { return interrupted_; }
+  [[nodiscard]] bool lost_before_start() const { return lost_before_start_; }
+  [[nodiscard]] const Run& run() const { return run_; }
+  [[nodiscard]] std::size_t introduced() const { return admission_.introduced(); }
+  [[nodiscard]] std::size_t matched() const { return admission_.matched(world_matched_); }
+  [[nodiscard]] const TopicCounts& topics() const { return topics_; }
+  [[nodiscard]] const PhaseTimes& times() const { return times_; }
+  [[nodiscard]] const FaultCounts& refused_samples() const { return faults_; }
+  [[nodiscard]] std::uint64_t run_id() const { return options_.run; }
+
+ private:
+  void take(double now_s);
+  void on_sample(const wire::Beacon& sample, double now_s);
+  void on_sample(const wire::Representative& sample, double now_s);
+  void serve_needs(const Beacon& beacon, double now_s);
+  void poll_waiting(double now_s);
+  void poll_running(double now_s);
+  void poll_closing(double now_s);
+  void drop_silent(double now_s);
+  void add_loss(AgentId agent, LossReason reason);
+  [[nodiscard]] bool held_by_fault(double now_s);
+  void replay_losses();
+  void advance(double now_s);
+  void open(const Tick& tick, double now_s);
+  void publish_tick(double now_s);
+  void publish_sense(const RosterEntry& entry, double now_s);
+  template <typename Value>
+  void send(const Value& value, TopicCount& count, double now_s);
+
+  Mission mission_;
+  double deadline_s_;
+  SessionOptions options_;
+  bus::WorldPort& port_;
+  ProcessControl* control_;
+  Run run_;
+  Admission admission_;
+  Barrier barrier_;
+  State state_ = State::Waiting;
+  Tick tick_;
+  std::vector<Loss> lost_;                        ///< to be dropped with the next tick
+  std::map<AgentId, Representative> repeatable_;  ///< counted by the open tick, kept for agents that lack them
+  std::vector<Fault> awaited_;                    ///< ordered, effect not yet confirmed
+  double awaited_since_s_ = 0.0;
+  double last_sent_s_ = -1e9;
+  std::vector<std::uint64_t> world_matched_;
+  std::vector<bus::WorldInbound> inbox_;
+  std::string start_failure_;
+  std::string interrupted_;
+  bool lost_before_start_ = false;
+  TopicCounts topics_;
+  PhaseTimes times_;
+  FaultCounts faults_;
+};
+
+}  // namespace skein

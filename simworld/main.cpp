@@ -1,0 +1,14 @@
+// skein-simworld SCENARIO: the truth of a run, and the only reader of its scenario.
+#include "simworld/process/world_process.hpp"
+#include "simworld/report/report.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("The world of a Skein swarm: owns simulated time, vehicles and roster", "skein-simworld");
+  skein::WorldArguments arguments;
+  skein::add_common_flags(app, arguments.common);
+  skein::add_world_options(app, arguments);
+  app.add_option("--control-fd", arguments.control_fd, "descriptor of the launcher's socket pair")->group("");
+  app.set_version_flag("--version", std::string(skein::version()));
+  if (const auto code = skein::parse_or_exit_code(app, argc, argv)) return *code;
+  return skein::run_world(arguments);
+}

@@ -1,0 +1,86 @@
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "simworld/process/world_process.hpp"
+
+namespace skein {
+namespace {
+
+/// An option that may be given many times, with one text each; `take` throws CLI::ValidationError with one line.
+void add_repeated(CLI::App& app, const std::string& name, const std::string& help,
+                  const std::function<void(const std::string&)>& take) {
+  const auto callback = [take](const CLI::results_t& texts) {
+    for (const std::string& text : texts) take(text);
+    return true;
+  };
+  app.add_option(name, callback, help)->type_size(1)->expected(1)->take_all();
+}
+
+}  // namespace
+
+void add_scenario_options(CLI::App& app, WorldArguments& arguments) {
+  app.add_option("SCENARIO", arguments.scenario, "scenario file (docs/scenario.md)")->required();
+  app.add_option("--seed", arguments.seed, "seed of the run; by default the scenario's");
+  add_repeated(app, "--set", "key=value: overrides a scenario key; may be repeated", [&arguments](const auto& text) {
+    const auto at = text.find('=');
+    if (at == std::string::npos || at == 0) {
+      throw CLI::ValidationError(fmt::format("--set {}: not of the form key=value", text));
+    }
+    arguments.overrides.push_back({text.substr(0, at), text.substr(at + 1)});
+  });
+}
+
+void add_world_options(CLI::App& app, WorldArguments& arguments) {
+  add_scenario_options(app, arguments);
+  app.add_option("--out", arguments.out, "folder for report and logs; by default skein-runs/<time>-<seed>");
+  app.add_flag("--fail-fast,!--keep-going", arguments.fail_fast, "end the run when an agent is lost; default: go on");
+  add_repeated(app, "--fault", "kill:ID@plan:ROUND or kill:ID@fly:STEP: a fault on purpose; may be repeated",
+               [&arguments](const auto& text) {
+                 const ParsedFault parsed = parse_fault(text);
+                 if (!parsed.fault) throw CLI::ValidationError(parsed.error);
+                 arguments.faults.push_back(*parsed.fault);
+               });
+}
+
+std::optional<Scenario> load_or_complain(const WorldArguments& arguments) {
+  ScenarioResult result = load_scenario(arguments.scenario, arguments.overrides, arguments.seed);
+  if (const auto* fault = std::get_if<ScenarioFault>(&result)) {
+    std::cerr << fault->line() << "\n";
+    return std::nullopt;
+  }
+  Scenario scenario = std::get<Scenario>(std::move(result));
+  for (const Fault& fault : arguments.faults) {
+    if (std::ranges::find(scenario.mission.vehicles, fault.agent, &VehicleSpec::id) ==
+        scenario.mission.vehicles.end()) {
+      std::cerr << fmt::format("--fault: the scenario has no vehicle {}\n", fault.agent);
+      return std::nullopt;
+    }
+  }
+  return scenario;
+}
+
+std::string out_folder(const std::string& out, std::uint64_t seed) {
+  if (!out.empty()) return out;
+  const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+  const std::string stem = fmt::format("skein-runs/{:%Y%m%dT%H%M%S}-{}", fmt::gmtime(now), seed);
+  std::string folder = stem;
+  for (int copy = 2; std::filesystem::exists(folder); ++copy) folder = fmt::format("{}.{}", stem, copy);
+  return folder;
+}
+
+void prepare_out(const std::string& folder, const Scenario& scenario) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  std::ofstream copy(std::filesystem::path(folder) / "scenario.yaml", std::ios::binary);
+  copy << scenario.text;
+  copy.close();
+  if (error || !copy) throw std::runtime_error(fmt::format("cannot write to the out folder {}", folder));
+}
+
+}  // namespace skein

@@ -1,0 +1,135 @@
+#include "simworld/process/world_process.hpp"
+
+#include <fmt/core.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <fstream>
+#include <iostream>
+
+#include "idl/process/dds_config.hpp"
+#include "idl/process/poll.hpp"
+#include "idl/process/signals.hpp"
+#include "planner/core/lockstep/names.hpp"
+#include "simworld/control/control_channel.hpp"
+#include "simworld/process/progress.hpp"
+#include "simworld/report/report.hpp"
+
+namespace skein {
+namespace {
+
+std::vector<AgentId> ids_of(const Mission& mission) {
+  std::vector<AgentId> ids;
+  for (const VehicleSpec& vehicle : mission.vehicles) ids.push_back(vehicle.id);
+  return ids;
+}
+
+/// The launcher as the session sees it.
+class LauncherControl final : public ProcessControl {
+ public:
+  explicit LauncherControl(ControlChannel& channel) : channel_(channel) {}
+  void kill(AgentId agent) override { channel_.send({{"kill", agent}}); }
+
+ private:
+  ControlChannel& channel_;
+};
+
+class WorldProcess {
+ public:
+  WorldProcess(const WorldArguments& arguments, Scenario scenario)
+      : scenario_(std::move(scenario)),
+        signals_({SIGINT, SIGTERM}),
+        channel_(arguments.control_fd),
+        launcher_(channel_),
+        nonce_(random_id()),
+        port_(dds_config(arguments.common, kWorldId, nonce_), ids_of(scenario_.mission)),
+        session_(scenario_, session_options(arguments), port_, channel_.open() ? &launcher_ : nullptr, steady_now_s()),
+        launched_(channel_.open()) {}
+
+  void run() {
+    for (const VehicleSpec& vehicle : scenario_.mission.vehicles) channel_.send({{"launch", vehicle.id}});
+    while (session_.state() != WorldSession::State::Done) {
+      wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, session_.idle_s(steady_now_s()));
+      take_signals();
+      take_messages();
+      if (const auto conflict = port_.conflict()) session_.refuse_start(*conflict, steady_now_s());
+      session_.poll(steady_now_s());
+      progress_.show(session_, steady_now_s());
+    }
+    if (!port_.flush(std::chrono::milliseconds(1000))) spdlog::warn("not all samples were acknowledged");
+  }
+
+  [[nodiscard]] nlohmann::ordered_json report() const { return make_report(session_, scenario_, {"dds", signal_}); }
+  [[nodiscard]] bool launched() const { return launched_; }
+
+ private:
+  [[nodiscard]] SessionOptions session_options(const WorldArguments& arguments) const {
+    SessionOptions options;
+    options.run = random_id();
+    options.nonce = nonce_;
+    options.startup_timeout_s = arguments.common.startup_timeout_s;
+    options.fail_fast = arguments.fail_fast;
+    options.faults = arguments.faults;
+    return options;
+  }
+
+  void take_signals() {
+    while (const auto signal = signals_.take()) {
+      if (signal_) session_.give_up();  // the second one ends at once
+      signal_ = signal;
+      session_.interrupt(fmt::format("ended by {}", *signal == SIGINT ? "SIGINT" : "SIGTERM"), steady_now_s());
+    }
+  }
+
+  void take_messages() {
+    while (const auto message = channel_.receive()) {
+      if (const auto ended = message->find("ended"); ended != message->end()) {
+        session_.process_ended(ended->get<AgentId>(), steady_now_s());
+      }
+    }
+    if (launched_ && !channel_.open()) session_.interrupt("the launcher ended", steady_now_s());
+  }
+
+  Scenario scenario_;
+  SignalWatch signals_;
+  ControlChannel channel_;
+  LauncherControl launcher_;
+  std::uint64_t nonce_;
+  bus::DdsWorldPort port_;
+  WorldSession session_;
+  bool launched_;
+  std::optional<int> signal_;
+  ProgressFeed progress_{[this](const nlohmann::json& progress, bool fresh) {
+    channel_.send({{"progress", progress}}, !fresh);
+    if (!launched_ && fresh) spdlog::info("progress {}", progress.dump());
+  }};
+};
+
+}  // namespace
+
+int run_world(const WorldArguments& arguments) {
+  const std::optional<Scenario> scenario = load_or_complain(arguments);
+  if (!scenario) return static_cast<int>(ExitCode::Usage);
+  if (arguments.control_fd < 0 && !arguments.faults.empty()) {
+    std::cerr << "--fault needs a launcher that can end processes: use skein run\n";
+    return static_cast<int>(ExitCode::Usage);
+  }
+  start_log("skein-simworld", arguments.common);
+  nlohmann::ordered_json report;
+  const std::string folder = out_folder(arguments.out, scenario->mission.seed);
+  try {
+    prepare_out(folder, *scenario);
+    WorldProcess process(arguments, *scenario);
+    process.run();
+    report = process.report();
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return static_cast<int>(ExitCode::StartUp);
+  }
+  std::ofstream file(folder + "/report.json");
+  file << report.dump(2) << "\n";
+  spdlog::info("{} (report: {}/report.json)", report["reason"].get<std::string>(), folder);
+  return report["exit_code"].get<int>();
+}
+
+}  // namespace skein

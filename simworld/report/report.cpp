@@ -1,0 +1,155 @@
+#include "simworld/report/report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "planner/core/lockstep/names.hpp"
+
+namespace skein {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json span_s(double from_s, double to_s) {
+  return from_s < 0.0 || to_s < 0.0 ? Json(nullptr) : Json(to_s - from_s);
+}
+
+Json per_second(double count, const Json& seconds) {
+  return seconds.is_null() || seconds.get<double>() <= 0.0 ? Json(nullptr) : Json(count / seconds.get<double>());
+}
+
+std::string vehicle_reason(const VehicleRecord& vehicle, const Run& run) {
+  for (const RosterChange& change : run.changes()) {
+    if (change.agent == vehicle.spec.id) return fmt::format("agent lost: {}", name_of(change.reason));
+  }
+  return vehicle.status == VehicleStatus::Missed ? "did not pass through its slot" : "";
+}
+
+Json vehicles_of(const Run& run) {
+  Json list = Json::array();
+  for (const VehicleRecord& vehicle : run.world().vehicles()) {
+    const auto plan = std::ranges::find(run.plan(), vehicle.spec.id, &PlanFigures::agent);
+    const bool arrived = vehicle.arrival_step > 0;
+    list.push_back({{"id", vehicle.spec.id},
+                    {"pid", nullptr},
+                    {"path_length_m", vehicle.flown_m},
+                    {"planned_length_m", plan->length_m},
+                    {"arrival_step", arrived ? Json(vehicle.arrival_step) : Json(nullptr)},
+                    {"arrival_time_s", arrived ? Json(vehicle.arrival_time_s) : Json(nullptr)},
+                    {"max_curvature_per_m", vehicle.max_curvature_per_m},
+                    {"status", name_of(vehicle.status)},
+                    {"reason", vehicle_reason(vehicle, run)}});
+  }
+  return list;
+}
+
+Json changes_of(const Run& run) {
+  Json list = Json::array();
+  for (const RosterChange& change : run.changes()) {
+    list.push_back({{"step", change.step},
+                    {"round", change.round},
+                    {"agent", change.agent},
+                    {"incarnation", change.incarnation},
+                    {"reason", name_of(change.reason)}});
+  }
+  return list;
+}
+
+Json topics_of(const TopicCounts& counts) {
+  const auto entry = [](const TopicCount& count) { return Json{{"samples", count.samples}, {"bytes", count.bytes}}; };
+  return {{"mission", entry(counts.mission)},
+          {"tick", entry(counts.tick)},
+          {"sense", entry(counts.sense)},
+          {"beacon", entry(counts.beacon)},
+          {"representative", entry(counts.representative)}};
+}
+
+/// Outcome: success, reason, who is missing.
+Json outcome_of(const WorldSession& session, int exit_code) {
+  Json outcome;
+  outcome["success"] = exit_code == 0;
+  outcome["exit_code"] = exit_code;
+  const bool whole = session.interrupted().empty() && session.start_failure().empty();
+  const Verdict verdict = whole ? session.run().verdict() : Verdict{};
+  outcome["reason"] = !session.start_failure().empty() ? session.start_failure()
+                      : !session.interrupted().empty() ? session.interrupted()
+                                                       : verdict.reason;
+  outcome["completed_without"] = verdict.completed_without;
+  return outcome;
+}
+
+}  // namespace
+
+std::string_view version() {
+  return SKEIN_VERSION;
+}
+
+int exit_code_of(const WorldSession& session, const ReportContext& context) {
+  if (session.lost_before_start()) return static_cast<int>(ExitCode::AgentLost);
+  if (!session.start_failure().empty()) return static_cast<int>(ExitCode::StartUp);
+  if (context.signal) return 128 + *context.signal;
+  if (!session.interrupted().empty()) return static_cast<int>(ExitCode::Failed);
+  return static_cast<int>(session.run().verdict().code);
+}
+
+Json make_report(const WorldSession& session, const Scenario& scenario, const ReportContext& context) {
+  const Run& run = session.run();
+  const World& world = run.world();
+  const PhaseTimes times = context.wall.value_or(session.times());
+  const double planned_s = times.flying_s >= 0.0 ? times.flying_s : times.finished_s;
+  const Json plan_s = span_s(times.started_s, planned_s);
+  const Json flight_s = span_s(times.flying_s, times.finished_s);
+
+  Json report = outcome_of(session, exit_code_of(session, context));
+  report["state_hash"] = fmt::format("{:016x}", run.state_hash());
+  report["seed"] = scenario.mission.seed;
+  report["scenario"] = scenario.mission.name;
+  report["scenario_hash"] = fmt::format("{:016x}", scenario.scenario_hash);
+  report["version"] = version();
+  report["carrier"] = context.carrier;
+  report["planner"] = scenario.mission.planner.name;
+  report["steps"] = run.steps_flown();
+  report["rounds"] = run.planning_rounds();
+  report["collisions"] =
+      world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) + world.count(ContactKind::NoFly);
+  report["near_misses"] = world.count(ContactKind::NearMiss);
+  report["min_separation_m"] = or_null(world.min_separation_m());
+  report["min_clearance_m"] = or_null(world.min_clearance_m());
+  report["vehicles"] = vehicles_of(run);
+  report["roster_changes"] = changes_of(run);
+  report["discovery_s"] = span_s(times.created_s, times.started_s);
+  report["plan_s"] = plan_s;
+  report["rounds_per_s"] = per_second(run.planning_rounds(), plan_s);
+  report["steps_per_s"] = per_second(run.steps_flown(), flight_s);
+  report["realtime_factor"] = per_second(run.steps_flown() * scenario.mission.step_s, flight_s);
+  report["pss_mb_per_agent"] = nullptr;
+  report["topics"] = topics_of(session.topics());
+  report["refused_samples"] = session.refused_samples().total();
+  return report;
+}
+
+std::vector<RosterChange> roster_changes_of(const nlohmann::json& report) {
+  const auto list = report.find("roster_changes");
+  if (list == report.end() || !list->is_array()) throw std::runtime_error("the report has no list roster_changes");
+  std::vector<RosterChange> changes;
+  for (const auto& item : *list) {
+    try {
+      const auto reason = loss_reason_from(item.at("reason").get<std::string>());
+      if (!reason) throw std::runtime_error("unknown reason");
+      changes.push_back({item.at("step").get<std::uint32_t>(), item.at("round").get<std::uint32_t>(),
+                         item.at("agent").get<AgentId>(), item.at("incarnation").get<std::uint32_t>(), *reason});
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("roster_changes[{}]: {}", changes.size(), error.what()));
+    }
+  }
+  return changes;
+}
+
+}  // namespace skein

@@ -1,0 +1,32 @@
+// What a run says at its end: one JSON object, the same from world and in-process runs (docs/report.md).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "simworld/lockstep/world_session.hpp"
+
+namespace skein {
+
+/// The program's own version.
+[[nodiscard]] std::string_view version();
+
+/// What the report needs besides the session.
+struct ReportContext {
+  std::string carrier;                  ///< "dds" or "in-process"
+  std::optional<int> signal = {};       ///< that ended the run
+  std::optional<PhaseTimes> wall = {};  ///< when the session's own clock is not the wall's
+};
+
+/// Exit code of a run: 3 before 128 + signal before the verdict's (docs/architecture.md).
+[[nodiscard]] int exit_code_of(const WorldSession& session, const ReportContext& context);
+
+/// The report of a session that is over (state Done). Figures that do not exist (no flight, one vehicle) are null.
+[[nodiscard]] nlohmann::ordered_json make_report(const WorldSession& session, const Scenario& scenario,
+                                                 const ReportContext& context);
+
+/// The losses that a report holds, for a replay. @throws std::runtime_error with one line that says what is wrong.
+[[nodiscard]] std::vector<RosterChange> roster_changes_of(const nlohmann::json& report);
+
+}  // namespace skein

@@ -1,0 +1,158 @@
+#include "simworld/world/world.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "planner/core/geometry/frames.hpp"
+#include "simworld/collision/clearance.hpp"
+
+namespace skein {
+
+std::string_view name_of(VehicleStatus status) {
+  constexpr std::array<std::string_view, 6> kNames{"", "flying", "arrived", "missed", "removed", "adrift"};
+  return kNames.at(static_cast<std::size_t>(status));
+}
+
+World::World(const Mission& mission, OnAgentLoss on_agent_loss)
+    : step_s_(mission.step_s),
+      arrival_radius_m_(mission.arrival_radius_m),
+      zones_(mission.zones),
+      on_agent_loss_(on_agent_loss) {
+  if (mission.vehicles.empty()) throw std::invalid_argument("a world needs at least one vehicle");
+  if (!(step_s_ > 0.0)) throw std::invalid_argument("step_s must be positive");
+  for (const VehicleSpec& spec : mission.vehicles) {
+    VehicleRecord record;
+    record.spec = spec;
+    record.slot = slot_pose(mission, spec);
+    record.state = initial_state(spec);
+    vehicles_.push_back(record);
+  }
+  motions_.resize(vehicles_.size());
+  touching_.resize(vehicles_.size() * vehicles_.size());
+  near_.resize(vehicles_.size() * vehicles_.size());
+  in_zone_.resize(vehicles_.size() * zones_.size());
+}
+
+std::size_t World::index_of(AgentId id) const {
+  const auto found = std::ranges::find(vehicles_, id, [](const VehicleRecord& v) { return v.spec.id; });
+  if (found == vehicles_.end()) throw std::invalid_argument("no vehicle " + std::to_string(id));
+  return static_cast<std::size_t>(found - vehicles_.begin());
+}
+
+const VehicleRecord& World::vehicle(AgentId id) const {
+  return vehicles_[index_of(id)];
+}
+
+bool World::in_the_air(std::size_t i) const {
+  return vehicles_[i].status != VehicleStatus::Removed;
+}
+
+std::size_t World::count(ContactKind kind) const {
+  return static_cast<std::size_t>(std::ranges::count(contacts_, kind, &Contact::kind));
+}
+
+void World::lose_agent(AgentId id) {
+  VehicleRecord& vehicle = vehicles_[index_of(id)];
+  const bool stays = airborne_ && on_agent_loss_ == OnAgentLoss::Continue;
+  vehicle.status = stays ? VehicleStatus::Adrift : VehicleStatus::Removed;
+}
+
+void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands) {
+  airborne_ = true;
+  auto next = commands.begin();
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    while (next != commands.end() && next->agent < vehicles_[i].spec.id) ++next;
+    const bool commanded = next != commands.end() && next->agent == vehicles_[i].spec.id;
+    if (in_the_air(i)) move(i, step, commanded ? &*next : nullptr);
+  }
+  check_vehicles(step);
+  check_zones(step);
+}
+
+void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* command) {
+  VehicleRecord& vehicle = vehicles_[i];
+  const Vec3 wanted = command != nullptr ? command->velocity_mps : vehicle.state.velocity_mps;
+  const VehicleStep moved = advance_constant_speed(vehicle.spec, vehicle.state, wanted, step_s_);
+  motions_[i] = moved.motion;
+  vehicle.state = moved.after;
+  vehicle.flown_m += moved.motion.length_m;
+  vehicle.max_curvature_per_m = std::max(vehicle.max_curvature_per_m, moved.motion.curvature_per_m);
+  if (vehicle.status != VehicleStatus::Flying) return;
+  note_arrival(i, step);
+  const double off_m = std::sqrt((vehicle.state.position_m - vehicle.slot.position_m).squaredNorm());
+  if (vehicle.status == VehicleStatus::Flying && command != nullptr && command->path_flown &&
+      off_m > arrival_radius_m_ + moved.motion.length_m) {
+    vehicle.status = VehicleStatus::Missed;
+  }
+}
+
+void World::note_arrival(std::size_t i, std::uint32_t step) {
+  VehicleRecord& vehicle = vehicles_[i];
+  const Vec3 along = direction_of(vehicle.slot);
+  for (std::size_t p = 1; p < kMotionPoints; ++p) {
+    const Vec3 from = motions_[i].points_m[p - 1] - vehicle.slot.position_m;
+    const Vec3 to = motions_[i].points_m[p] - vehicle.slot.position_m;
+    const double before = from.dot(along);
+    const double after = to.dot(along);
+    if (!(before < 0.0 && after >= 0.0)) continue;
+    const double part = before / (before - after);
+    if ((from + part * (to - from)).squaredNorm() > arrival_radius_m_ * arrival_radius_m_) continue;
+    const double steps = static_cast<double>(step - 1) + (static_cast<double>(p - 1) + part) / (kMotionPoints - 1);
+    vehicle.status = VehicleStatus::Arrived;
+    vehicle.arrival_step = step;
+    vehicle.arrival_time_s = steps * step_s_;
+    return;
+  }
+}
+
+void World::note(bool touching, std::vector<bool>& open, std::size_t key, const Contact& contact) {
+  if (touching && !open[key]) contacts_.push_back(contact);
+  open[key] = touching;
+}
+
+void World::check_vehicles(std::uint32_t step) {
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    for (std::size_t j = i + 1; j < vehicles_.size(); ++j) {
+      if (!in_the_air(i) || !in_the_air(j)) continue;
+      const VehicleSpec& a = vehicles_[i].spec;
+      const VehicleSpec& b = vehicles_[j].spec;
+      const double distance_m = separation_m(motions_[i], motions_[j]);
+      min_separation_m_ = std::min(min_separation_m_.value_or(distance_m), distance_m);
+      const std::size_t key = i * vehicles_.size() + j;
+      note(distance_m <= a.radius_m + b.radius_m, touching_, key,
+           {ContactKind::Vehicles, step, a.id, b.id, distance_m});
+      note(distance_m < a.safety_radius_m + b.safety_radius_m, near_, key,
+           {ContactKind::NearMiss, step, a.id, b.id, distance_m});
+    }
+  }
+}
+
+void World::check_zones(std::uint32_t step) {
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    if (!in_the_air(i)) continue;
+    for (std::size_t z = 0; z < zones_.size(); ++z) {
+      const double distance_m = clearance_m(motions_[i], zones_[z]);
+      const double body_m = distance_m - vehicles_[i].spec.radius_m;
+      min_clearance_m_ = std::min(min_clearance_m_.value_or(body_m), body_m);
+      const ContactKind kind = zones_[z].no_fly ? ContactKind::NoFly : ContactKind::VehicleObstacle;
+      note(body_m <= 0.0, in_zone_, i * zones_.size() + z,
+           {kind, step, vehicles_[i].spec.id, static_cast<std::uint32_t>(z), distance_m});
+    }
+  }
+}
+
+bool World::all_ended() const {
+  return std::ranges::none_of(vehicles_, [](const auto& v) { return v.status == VehicleStatus::Flying; });
+}
+
+void World::add_to(StateHash& hash) const {
+  for (const VehicleRecord& vehicle : vehicles_) {
+    hash.add(vehicle.spec.id).add(vehicle.status).add(vehicle.state.position_m).add(vehicle.state.velocity_mps);
+    hash.add(vehicle.arrival_step);
+  }
+  hash.add(contacts_.size());
+}
+
+}  // namespace skein

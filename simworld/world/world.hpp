@@ -1,0 +1,110 @@
+// The truth of a run: where every vehicle is, what it touched, when it arrived.
+//
+// A plain value advanced one flight step at a time from the commands of the live agents. Between steps every motion is
+// checked continuously: separation of vehicles as closest approach of moving points, clearance from zones along the
+// path flown. A vehicle arrives in the step in which it crosses its slot's plane (the plane through the slot, square to
+// the formation's direction) within the arrival radius of the slot.
+// Source: papers/001, section 2.1 (arrival in formation) and Eq. 17 (separation); contacts are counted, not sampled.
+// Complexity of a step: O(V^2 + V Z) for V vehicles and Z zones.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "planner/core/mission/mission.hpp"
+#include "simworld/vehicles/constant_speed.hpp"
+
+namespace skein {
+
+enum class VehicleStatus : std::uint8_t {
+  Flying = 1,
+  Arrived = 2,
+  Missed = 3,   ///< its agent flew its path to the end, but not through the slot
+  Removed = 4,  ///< its agent was lost, and the vehicle taken away
+  Adrift = 5,   ///< its agent was lost, and the vehicle goes straight on
+};
+
+[[nodiscard]] std::string_view name_of(VehicleStatus status);
+
+struct VehicleRecord {
+  VehicleSpec spec;
+  Pose slot;
+  VehicleState state;
+  VehicleStatus status = VehicleStatus::Flying;
+  double flown_m = 0.0;
+  double max_curvature_per_m = 0.0;
+  std::uint32_t arrival_step = 0;  ///< 0: not arrived
+  double arrival_time_s = 0.0;
+};
+
+/// What one live agent commands for a step.
+struct VehicleCommand {
+  AgentId agent = 0;
+  Vec3 velocity_mps = Vec3::Zero();
+  bool path_flown = false;  ///< the agent says that its path is flown to the end
+};
+
+enum class ContactKind : std::uint8_t { Vehicles, VehicleObstacle, NearMiss, NoFly };
+
+/// A stretch of steps in which two things were too close, counted once, at its first step.
+struct Contact {
+  ContactKind kind = ContactKind::Vehicles;
+  std::uint32_t step = 0;
+  AgentId vehicle = 0;
+  std::uint32_t other = 0;  ///< the other vehicle's id, or the zone's index in the mission
+  double distance_m = 0.0;  ///< between centres, or from centre to the zone's surface
+};
+
+class World {
+ public:
+  /// @throws std::invalid_argument if the mission has no vehicles or a step is not positive.
+  World(const Mission& mission, OnAgentLoss on_agent_loss);
+
+  /// The vehicle's agent is gone. Before the flight, and with OnAgentLoss::Remove, the vehicle is taken away.
+  void lose_agent(AgentId id);
+
+  /// Flies step `step` (from 1). Commands by ascending id; a flying vehicle without one keeps its direction.
+  void advance(std::uint32_t step, std::span<const VehicleCommand> commands);
+
+  /// No vehicle with a live agent is still on its way.
+  [[nodiscard]] bool all_ended() const;
+
+  [[nodiscard]] const std::vector<VehicleRecord>& vehicles() const { return vehicles_; }
+  [[nodiscard]] const VehicleRecord& vehicle(AgentId id) const;
+  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
+  [[nodiscard]] std::size_t count(ContactKind kind) const;
+  /// Least distance between the centres of two vehicles so far; nothing before two vehicles flew a step together.
+  [[nodiscard]] std::optional<double> min_separation_m() const { return min_separation_m_; }
+  /// Least distance from a vehicle's body to an obstacle or no-fly zone so far; negative inside.
+  [[nodiscard]] std::optional<double> min_clearance_m() const { return min_clearance_m_; }
+  void add_to(StateHash& hash) const;
+
+ private:
+  [[nodiscard]] std::size_t index_of(AgentId id) const;
+  [[nodiscard]] bool in_the_air(std::size_t i) const;
+  void move(std::size_t i, std::uint32_t step, const VehicleCommand* command);
+  void note_arrival(std::size_t i, std::uint32_t step);
+  void check_vehicles(std::uint32_t step);
+  void check_zones(std::uint32_t step);
+  void note(bool touching, std::vector<bool>& open, std::size_t key, const Contact& contact);
+
+  double step_s_;
+  double arrival_radius_m_;
+  std::vector<Zone> zones_;
+  OnAgentLoss on_agent_loss_;
+  bool airborne_ = false;
+  std::vector<VehicleRecord> vehicles_;
+  std::vector<Motion> motions_;
+  std::vector<Contact> contacts_;
+  std::vector<bool> touching_;  ///< vehicle x vehicle: bodies in contact in the last step
+  std::vector<bool> near_;      ///< vehicle x vehicle: safety spheres in contact in the last step
+  std::vector<bool> in_zone_;   ///< vehicle x zone
+  std::optional<double> min_separation_m_;
+  std::optional<double> min_clearance_m_;
+};
+
+}  // namespace skein
