@@ -1,0 +1,73 @@
+#include "tests/planner/rendezvous/layouts.hpp"
+
+#include "planner/core/math/det_math.hpp"
+
+namespace skein::test {
+namespace {
+
+VehicleSpec vehicle(AgentId id, double x_km, double y_km, double heading_rad, double slot_x_km, double slot_y_km) {
+  VehicleSpec spec;
+  spec.id = id;
+  spec.start.position_m = Vec3(1000.0 * x_km, 1000.0 * y_km, 0.0);
+  spec.start.heading_rad = heading_rad;
+  spec.slot_offset_m = Vec3(1000.0 * slot_x_km, 1000.0 * slot_y_km, 0.0);
+  spec.speed_mps = 50.0;
+  spec.max_curvature_per_m = 0.002;
+  spec.radius_m = 2.0;
+  spec.safety_radius_m = 100.0;
+  return spec;
+}
+
+}  // namespace
+
+Zone circle_km(double x, double y, double radius) {
+  Cylinder cylinder;
+  cylinder.centre_m = Vec2(1000.0 * x, 1000.0 * y);
+  cylinder.radius_m = 1000.0 * radius;
+  return {cylinder, false};
+}
+
+Zone rectangle_km(double x_min, double x_max, double y_min, double y_max) {
+  Box box;
+  box.min_m.head<2>() = Vec2(1000.0 * x_min, 1000.0 * y_min);
+  box.max_m.head<2>() = Vec2(1000.0 * x_max, 1000.0 * y_max);
+  return {box, true};
+}
+
+Mission open_field(std::uint64_t seed) {
+  Mission mission;
+  mission.name = "open-field";
+  mission.seed = seed;
+  mission.length_unit_m = 1000.0;
+  mission.step_s = 0.5;
+  mission.formation.position_m = Vec3(30000.0, 15000.0, 0.0);
+  mission.arrival_radius_m = 50.0;
+  mission.vehicles = {vehicle(1, 2.0, -5.0, math::kPi / 6.0, 0.6, 0.0),
+                      vehicle(2, -1.0, 10.0, -math::kPi / 4.0, -0.3, -0.6),
+                      vehicle(3, -3.0, 20.0, -math::kPi / 5.0, -0.3, 0.6)};
+  return mission;
+}
+
+Mission layout_a(std::uint64_t seed) {
+  Mission mission = open_field(seed);
+  mission.name = "layout-a";
+  mission.zones = {circle_km(11.0, 6.0, 2.0), circle_km(6.5, 17.5, 3.0), rectangle_km(20.0, 25.0, 2.0, 6.0),
+                   rectangle_km(14.0, 20.0, 18.0, 20.0)};
+  return mission;
+}
+
+Mission layout_b(std::uint64_t seed) {
+  Mission mission = open_field(seed);
+  mission.name = "layout-b";
+  mission.zones = {circle_km(12.0, 5.0, 1.5), circle_km(23.0, 5.0, 2.0), rectangle_km(9.0, 14.0, 14.0, 18.0),
+                   rectangle_km(16.0, 20.0, 18.0, 20.0)};
+  return mission;
+}
+
+Mission as_points(Mission mission) {
+  for (VehicleSpec& spec : mission.vehicles) spec.radius_m = 0.0;
+  mission.planner.clearance_margin_m = 0.0;
+  return mission;
+}
+
+}  // namespace skein::test

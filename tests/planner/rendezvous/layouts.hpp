@@ -1,0 +1,26 @@
+// Canonical missions of the rendezvous tests: the paper's three UAVs among obstacles of our own.
+//
+//   y/km                                 A: circles (11, 6) r 2, (6.5, 17.5) r 3; rectangles [20, 25] x [2, 6],
+//   20 3 ___        # #                     [14, 20] x [18, 20]
+//        (__)      # # #    <-- slots    B: circles (12, 5) r 1.5, (23, 5) r 2; rectangles [9, 14] x [14, 18],
+//   10  2           at (30, 15)             [16, 20] x [18, 20]
+//           O    [ ]
+//   -5   1            x/km               The rendezvous point is (30, 15): the paper's (35, 15) is a misprint.
+#pragma once
+
+#include "planner/core/mission/mission.hpp"
+
+namespace skein::test {
+
+/// Without zones; radius 2 m, safety radius 100 m, 2 per km, 50 m/s, lengths in kilometres.
+[[nodiscard]] Mission open_field(std::uint64_t seed);
+[[nodiscard]] Mission layout_a(std::uint64_t seed);
+[[nodiscard]] Mission layout_b(std::uint64_t seed);
+
+/// The same with points for vehicles and no margin: the figures of the paper.
+[[nodiscard]] Mission as_points(Mission mission);
+
+[[nodiscard]] Zone circle_km(double x, double y, double radius);
+[[nodiscard]] Zone rectangle_km(double x_min, double x_max, double y_min, double y_max);
+
+}  // namespace skein::test

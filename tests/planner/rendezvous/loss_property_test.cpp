@@ -1,0 +1,85 @@
+// Only the whole swarm can prove this: whoever is lost, in whichever round, the others end in the same round, Ready,
+// with one length. And many UAVs at once find their way past each other.
+#include <gtest/gtest.h>
+
+#include "planner/core/math/det_math.hpp"
+#include "planner/core/random/random_stream.hpp"
+#include "tests/planner/rendezvous/layouts.hpp"
+#include "tests/planner/rendezvous/swarm_run.hpp"
+
+namespace skein::rendezvous {
+namespace {
+
+void expect_one_length(const test::SwarmRun& run) {
+  ASSERT_TRUE(run.all(PlanStatus::Ready));
+  const double length_m = run.planners[0].path().length_m();
+  for (const Planner& planner : run.planners) {
+    EXPECT_NEAR(planner.path().length_m(), length_m, 1e-9 * length_m);
+    EXPECT_EQ(check_alone(planner.problem(), planner.path()), Constraint::None);
+    const DensePath own = sample_densely(planner.problem(), planner.path());
+    for (const Planner& other : run.planners) {
+      if (&other == &planner) continue;
+      const DensePath dense = sample_densely(planner.problem(), other.path());
+      EXPECT_TRUE(keeps_apart(own, dense, required_separation_m(planner.problem().own(), other.problem().own())));
+    }
+  }
+}
+
+TEST(LossProperty, TheOthersEndTogetherInEveryCase) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::size_t lost = 0; lost < 3; ++lost) {
+      RandomStream stream(seed, static_cast<std::uint32_t>(lost), Purpose::Test, 40);
+      // Half of the losses fall into the few rounds of the alignment.
+      const int when = static_cast<int>(stream.below(2) == 0 ? stream.below(51) : 51 + stream.below(3));
+      const test::SwarmRun run = test::run_swarm(test::layout_a(seed), 200, [&](int round, test::SwarmRun& swarm) {
+        if (round != when) return;
+        swarm.planners.erase(swarm.planners.begin() + static_cast<std::ptrdiff_t>(lost));
+        if (!swarm.last.empty()) swarm.last.erase(swarm.last.begin() + static_cast<std::ptrdiff_t>(lost));
+      });
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", UAV " + std::to_string(lost + 1) + " lost in round " +
+                   std::to_string(when));
+      ASSERT_EQ(run.planners.size(), 2U);
+      expect_one_length(run);
+    }
+  }
+}
+
+TEST(LossProperty, TheLastOneLeftStillPlans) {
+  const test::SwarmRun run = test::run_swarm(test::layout_b(3), 200, [](int round, test::SwarmRun& swarm) {
+    if (round != 20 && round != 52) return;
+    swarm.planners.erase(swarm.planners.begin());
+    swarm.last.erase(swarm.last.begin());
+  });
+  ASSERT_EQ(run.planners.size(), 1U);
+  expect_one_length(run);
+}
+
+/// n UAVs on a ring of 10 km, started 1 rad off the way to the centre, to slots across a ring of 2 km.
+Mission ring(std::uint64_t seed, int n) {
+  Mission mission = test::open_field(seed);
+  const VehicleSpec model = mission.vehicles[0];
+  mission.vehicles.clear();
+  mission.formation.position_m.setZero();
+  for (int k = 0; k < n; ++k) {
+    VehicleSpec vehicle = model;
+    const double at = math::kTwoPi * k / n;
+    const Vec3 outward(math::cos(at), math::sin(at), 0.0);
+    vehicle.id = static_cast<AgentId>(k + 1);
+    vehicle.start.position_m = 10000.0 * outward;
+    vehicle.start.heading_rad = math::wrap_angle(at + math::kPi + 1.0);
+    vehicle.slot_offset_m = -2000.0 * outward;
+    mission.vehicles.push_back(vehicle);
+  }
+  return mission;
+}
+
+TEST(LossProperty, RingsFindTheirWayPastEachOther) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_one_length(test::run_swarm(ring(seed, 5)));
+  }
+  expect_one_length(test::run_swarm(ring(1, 12)));
+}
+
+}  // namespace
+}  // namespace skein::rendezvous

@@ -1,0 +1,149 @@
+#include "tests/planner/rendezvous/oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planner/core/geometry/distance.hpp"
+
+namespace skein::test {
+namespace {
+
+using rendezvous::Participant;
+using rendezvous::Problem;
+using rendezvous::ph::Controls;
+using rendezvous::ph::PlanarPath;
+
+constexpr int kNodes = 400;
+constexpr int kSamples = 4000;
+constexpr std::size_t kAlternatives = 40;
+
+struct Option {
+  double cost;
+  Controls controls;
+};
+
+double cost_of(const Problem& problem, const PlanarPath& path) {
+  const double w1 = problem.options.length_weight;
+  return w1 * path.length_m() / problem.length_unit_m +
+         (1.0 - w1) * path.elastic_energy_per_m() * problem.length_unit_m;
+}
+
+bool keeps_constraints(const Problem& problem, const PlanarPath& path) {
+  for (int i = 0; i <= kSamples; ++i) {
+    const double q = static_cast<double>(i) / kSamples;
+    if (std::fabs(path.curvature(q)) > problem.max_curvature_per_m) return false;
+    const Vec2 here = path.position(q);
+    for (const auto& zone : problem.zones) {
+      const double distance = std::visit([&](const auto& shape) { return signed_distance(here, shape); }, zone.shape);
+      if (distance < problem.keep_out_m) return false;
+    }
+  }
+  return true;
+}
+
+double node(const Participant& uav, int i) {
+  return uav.range_m.min + uav.range_m.width() * i / (kNodes - 1);
+}
+
+/// Length of the cheapest node that keeps the constraints; 0 if none does.
+double own_length(const Problem& problem) {
+  std::vector<Option> options;
+  for (int i = 0; i < kNodes; ++i) {
+    for (int j = 0; j < kNodes; ++j) {
+      const Controls m{node(problem.own(), i), node(problem.own(), j)};
+      options.push_back({cost_of(problem, problem.own().hermite.path(m)), m});
+    }
+  }
+  std::ranges::sort(options, {}, &Option::cost);
+  for (const Option& option : options) {
+    const PlanarPath path = problem.own().hermite.path(option.controls);
+    if (keeps_constraints(problem, path)) return path.length_m();
+  }
+  return 0.0;
+}
+
+/// Crossing of an edge with the level curve, by bisection on the length.
+Controls on_edge(const Participant& uav, const Controls& a, const Controls& b, double length_m) {
+  double low = 0.0;
+  double high = 1.0;
+  const auto at = [&](double t) { return Controls{a.m0_m + t * (b.m0_m - a.m0_m), a.m1_m + t * (b.m1_m - a.m1_m)}; };
+  const bool rising = uav.hermite.length_m(a) < length_m;
+  for (int i = 0; i < 50; ++i) {
+    const double t = 0.5 * (low + high);
+    ((uav.hermite.length_m(at(t)) < length_m) == rising ? low : high) = t;
+  }
+  return at(low);
+}
+
+/// The cheapest feasible paths of a length, some of them, spread over the level curve.
+std::vector<PlanarPath> paths_of_length(const Problem& problem, double length_m) {
+  const Participant& uav = problem.own();
+  std::vector<Option> options;
+  for (int i = 0; i < kNodes; ++i) {
+    for (int j = 1; j < kNodes; ++j) {
+      for (const bool turned : {false, true}) {
+        const Controls a = turned ? Controls{node(uav, j - 1), node(uav, i)} : Controls{node(uav, i), node(uav, j - 1)};
+        const Controls b = turned ? Controls{node(uav, j), node(uav, i)} : Controls{node(uav, i), node(uav, j)};
+        if ((uav.hermite.length_m(a) < length_m) == (uav.hermite.length_m(b) < length_m)) continue;
+        const Controls m = on_edge(uav, a, b, length_m);
+        if (std::fabs(uav.hermite.length_m(m) - length_m) > 1e-3) continue;
+        options.push_back({cost_of(problem, uav.hermite.path(m)), m});
+      }
+    }
+  }
+  std::ranges::sort(options, {}, &Option::cost);
+  std::vector<PlanarPath> paths;
+  for (const Option& option : options) {
+    const PlanarPath path = uav.hermite.path(option.controls);
+    if (keeps_constraints(problem, path)) paths.push_back(path);
+    if (paths.size() == kAlternatives) break;
+  }
+  return paths;
+}
+
+bool apart(const PlanarPath& a, const PlanarPath& b, double least_m) {
+  for (int i = 0; i <= 1000; ++i) {
+    const double part = i / 1000.0;
+    if ((a.position_at(part * a.length_m()) - b.position_at(part * b.length_m())).norm() < least_m) return false;
+  }
+  return true;
+}
+
+/// Whether one path can be chosen for each UAV from `next` on, apart from those chosen before.
+bool combine(const Problem& problem, const std::vector<std::vector<PlanarPath>>& paths,
+             std::vector<PlanarPath>& chosen) {
+  const std::size_t next = chosen.size();
+  if (next == paths.size()) return true;
+  for (const PlanarPath& path : paths[next]) {
+    bool clear = true;
+    for (std::size_t i = 0; i < next && clear; ++i) {
+      clear = apart(path, chosen[i], required_separation_m(problem.participants[i], problem.participants[next]));
+    }
+    if (!clear) continue;
+    chosen.push_back(path);
+    if (combine(problem, paths, chosen)) return true;
+    chosen.pop_back();
+  }
+  return false;
+}
+
+}  // namespace
+
+OraclePlan best_plan(const Mission& mission) {
+  OraclePlan plan;
+  std::vector<Problem> problems;
+  for (const VehicleSpec& vehicle : mission.vehicles) {
+    problems.push_back(rendezvous::make_problem(mission, vehicle.id));
+    plan.own_lengths_m.push_back(own_length(problems.back()));
+    if (plan.own_lengths_m.back() == 0.0) return plan;
+  }
+  plan.length_m = *std::ranges::max_element(plan.own_lengths_m);
+  std::vector<std::vector<PlanarPath>> paths;
+  for (const Problem& problem : problems) paths.push_back(paths_of_length(problem, plan.length_m));
+  std::vector<PlanarPath> chosen;
+  plan.found = combine(problems[0], paths, chosen);
+  return plan;
+}
+
+}  // namespace skein::test
