@@ -11,6 +11,12 @@ extern "C" const char* __asan_default_options() {
   return "new_delete_type_mismatch=0";
 }
 #endif
+#ifdef __SANITIZE_THREAD__
+// It also unlocks what was destroyed and orders its locks both ways; data races are reported wherever they are.
+extern "C" const char* __tsan_default_suppressions() {
+  return "mutex:libfastrtps.so\ndeadlock:libfastrtps.so\n";
+}
+#endif
 
 namespace skein::bus {
 namespace {
