@@ -12,6 +12,12 @@
 namespace skein {
 namespace {
 
+/// CLI11 alone would take -1 for 2^64 - 1.
+std::string check_whole(const std::string& text) {
+  const bool digits = !text.empty() && text.size() <= 20 && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? "" : fmt::format("'{}' is no seed; allowed: 0 to 2^64 - 1", text);
+}
+
 /// An option that may be given many times, with one text each; `take` throws CLI::ValidationError with one line.
 void add_repeated(CLI::App& app, const std::string& name, const std::string& help,
                   const std::function<void(const std::string&)>& take) {
@@ -26,7 +32,7 @@ void add_repeated(CLI::App& app, const std::string& name, const std::string& hel
 
 void add_scenario_options(CLI::App& app, WorldArguments& arguments) {
   app.add_option("SCENARIO", arguments.scenario, "scenario file (docs/scenario.md)")->required();
-  app.add_option("--seed", arguments.seed, "seed of the run; by default the scenario's");
+  app.add_option("--seed", arguments.seed, "seed of the run; by default the scenario's")->check(check_whole);
   add_repeated(app, "--set", "key=value: overrides a scenario key; may be repeated", [&arguments](const auto& text) {
     const auto at = text.find('=');
     if (at == std::string::npos || at == 0) {
