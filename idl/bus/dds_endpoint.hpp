@@ -154,11 +154,19 @@ class Reader final : private fdds::DataReaderListener {
   void on_data_available(fdds::DataReader* reader) override {
     Sample sample;
     fdds::SampleInfo info;
-    while (reader->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+    std::uint64_t unread = reader->get_unread_count();
+    while (unread > 0) {
+      const bool taken =
+          reader->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
       // a process hears its own writer too; nobody needs its own samples
-      const bool foreign = process_key(info.sample_identity.writer_guid()) != own_;
-      if (info.valid_data && foreign) inbox_.put(std::move(sample));
+      if (taken && info.valid_data && process_key(info.sample_identity.writer_guid()) != own_) {
+        inbox_.put(std::move(sample));
+      }
       sample = Sample();
+      // Bytes that are no sample end a take as if there were none left; what follows them would wait for the next.
+      const std::uint64_t left = reader->get_unread_count();
+      if (!taken && left >= unread) break;
+      unread = left;
     }
   }
 

@@ -1,8 +1,8 @@
 // The other process of dds_process_test: an agent that answers each tick with what it has seen so far.
 //
-// idl_bus_peer DOMAIN SWARM ID NONCE. Whenever its matches change it says so in an open beacon; it ends with 0 after a
-// tick of phase Finished, with 1 if none comes within 60 s. In its beacons `step` counts missions, `generation` sense
-// samples, `state_hash` ticks out of order.
+// idl_bus_peer DOMAIN SWARM ID NONCE. When its matches change, or a mission or sense sample arrives, it says so in an
+// open beacon; it ends with 0 after a tick of phase Finished, with 1 if none comes within 60 s. In its beacons `step`
+// counts missions, `generation` sense samples, `state_hash` ticks out of order.
 #include <poll.h>
 
 #include <chrono>
@@ -35,8 +35,14 @@ class Peer {
   }
 
  private:
-  void handle(const wire::Mission& mission) { missions_ += from_wire(mission, {}).ok() ? 1 : 0; }
-  void handle(const wire::Sense&) { ++senses_; }
+  void handle(const wire::Mission& mission) {
+    missions_ += from_wire(mission, {}).ok() ? 1 : 0;
+    answer(0);
+  }
+  void handle(const wire::Sense&) {
+    ++senses_;
+    answer(0);
+  }
   void handle(const wire::Representative&) {}
   void handle(const wire::Tick& tick) {
     if (tick.round() != last_round_ + 1) ++disorder_;

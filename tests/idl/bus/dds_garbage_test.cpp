@@ -121,7 +121,9 @@ TEST(Garbage, TicksThatAreNoneDoNotStopTheTrueOnes) {
   DdsAgentPort agent(config(swarm, 1));
   Vandal vandal(swarm, topic(TopicId::Tick));
   testing::AtAgent at{agent};
-  ASSERT_TRUE(testing::eventually({agent.wake_fd()}, [&] { return vandal.is_heard() && world.matched().size() == 1; }));
+  ASSERT_TRUE(testing::eventually({agent.wake_fd()}, [&] {
+    return vandal.is_heard() && world.matched().size() == 1 && agent.matched().size() == 1;
+  }));
   for (const Bytes& bytes : vandalised(skein::testing::encode(testing::tick(1)))) vandal.write(bytes);
   vandal.flush();
   world.publish(testing::tick(123456));
@@ -137,7 +139,9 @@ TEST(Garbage, BeaconsWithBadBooleansAndLengthsDoNotStopTheTrueOnes) {
   DdsAgentPort agent(config(swarm, 1));
   Vandal vandal(swarm, topic(TopicId::Beacon));
   testing::AtWorld at{world};
-  ASSERT_TRUE(testing::eventually({world.wake_fd()}, [&] { return vandal.is_heard() && world.matched().size() == 1; }));
+  ASSERT_TRUE(testing::eventually({world.wake_fd()}, [&] {
+    return vandal.is_heard() && world.matched().size() == 1 && agent.matched().size() == 1;
+  }));
   for (const Bytes& bytes : vandalised(skein::testing::encode(testing::beacon(1, 1)))) vandal.write(bytes);
   vandal.flush();
   agent.publish(testing::beacon(1, 123456));

@@ -79,8 +79,13 @@ TEST(TwoProcesses, MatchAnswerThreeHundredTicksAndPart) {
   Process peer(swarm);
   ASSERT_TRUE(eventually({world.wake_fd()}, [&] { return world.matched().size() == 1 && says_matched(at); }));
   EXPECT_THAT(world.matched(), ElementsAre(kPeerNonce));
-  world.publish(testing::sense(1));
   world.publish(testing::sense(2));
+  world.publish(testing::sense(1));
+  // topics keep no order among each other: the mission may come after the first match, and after sense
+  ASSERT_TRUE(eventually({world.wake_fd()}, [&] {
+    const auto beacons = at.all<wire::Beacon>();
+    return beacons.back().step() == 1 && beacons.back().generation() == 1;
+  }));
   constexpr std::uint32_t kRounds = 300;
   for (std::uint32_t round = 1; round <= kRounds; ++round) {
     world.publish(testing::tick(round, round == kRounds ? Phase::Finished : Phase::Flying));
