@@ -9,7 +9,7 @@ deploy/setup.sh check
 echo 'check: 2/3 build'
 quiet=()
 [[ -t 1 ]] || quiet=(--quiet)
-cmake --preset release --log-level=WARNING -DSKEIN_TESTS=ON
+cmake --preset release --log-level=WARNING -DSKEIN_TESTS=ON >/dev/null
 cmake --build build/release -- "${quiet[@]}"
 
 echo 'check: 3/3 tests'

@@ -12,7 +12,7 @@ quiet=()
 [[ -t 1 ]] || quiet=(--quiet)
 without_tests=()
 [[ -e build/release/CMakeCache.txt ]] || without_tests=(-DSKEIN_TESTS=OFF) # a folder of check.sh keeps its tests
-cmake --preset release --log-level=WARNING "${without_tests[@]}"
+cmake --preset release --log-level=WARNING "${without_tests[@]}" >/dev/null
 cmake --build build/release --target skein skein-agent skein-simworld -- "${quiet[@]}"
 
 echo 'quickstart: 3/3 run'
