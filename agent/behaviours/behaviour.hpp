@@ -30,6 +30,9 @@ struct RoundOutput {
 class Behaviour {
  public:
   virtual ~Behaviour() = default;
+  /// Whether a peer's representative is one that the peer's own planner can have published. One that is not is left
+  /// out, by all who hear it alike.
+  [[nodiscard]] virtual bool can_use(const Representative& peer) const = 0;
   /// One round, planning or flight; rounds come in order, each once.
   virtual RoundOutput on_round(const RoundInput& input) = 0;
   /// All that decides later rounds: mode, plan, sub-swarm, progress.

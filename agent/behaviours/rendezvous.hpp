@@ -22,6 +22,7 @@ class RendezvousBehaviour final : public Behaviour {
   /// @throws std::invalid_argument if the mission has no such vehicle or its options are not legal.
   RendezvousBehaviour(const Mission& mission, AgentId self);
 
+  [[nodiscard]] bool can_use(const Representative& peer) const override { return planner_.can_use(peer); }
   RoundOutput on_round(const RoundInput& input) override;
   void add_to(StateHash& hash) const override;
 

@@ -104,6 +104,10 @@ void AgentSession::on_sample(const wire::Representative& sample, double /*now_s*
   if (!checked.ok()) return faults_.add(checked.fault().reason);
   Representative value = std::move(checked).value();
   if (value.agent == id_ || value.round < done_round_) return;  // a copy of what was used already
+  if (behaviour_ != nullptr && !behaviour_->can_use(value)) {
+    faults_.add(WireFaultReason::OutOfRange);
+    unusable_.insert({value.round, value.agent});
+  }
   heard_.try_emplace({value.round, value.agent}, std::move(value));
 }
 
@@ -161,12 +165,14 @@ void AgentSession::answer(double now_s) {
   const Tick& tick = *tick_;
   std::vector<Representative> peers;
   for (const RosterEntry& entry : tick.roster) {
-    if (entry.agent != id_ && entry.representative) peers.push_back(heard_.at({tick.round - 1, entry.agent}));
+    const std::pair key{tick.round - 1, entry.agent};
+    if (entry.agent != id_ && entry.representative && !unusable_.contains(key)) peers.push_back(heard_.at(key));
   }
   const bool sensed = sense_ && sense_->round == tick.round;
   last_ = behaviour_->on_round({tick, sensed ? &*sense_ : nullptr, peers});
   done_round_ = tick.round;
   heard_.erase(heard_.begin(), heard_.lower_bound({tick.round, 0}));
+  unusable_.erase(unusable_.begin(), unusable_.lower_bound({tick.round, 0}));
   sent_ = std::exchange(last_.representative, std::nullopt);
   StateHash hash;
   behaviour_->add_to(hash);

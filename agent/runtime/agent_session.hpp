@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,7 +79,9 @@ class AgentSession {
   std::unique_ptr<Behaviour> behaviour_;
   std::optional<Tick> tick_;  ///< the newest
   std::optional<Sense> sense_;
-  std::map<std::pair<std::uint32_t, AgentId>, Representative> heard_;  ///< by (round, agent): the last two rounds
+  /// By (round, agent), the last two rounds. One that the behaviour cannot use is heard, but counts as left out.
+  std::map<std::pair<std::uint32_t, AgentId>, Representative> heard_;
+  std::set<std::pair<std::uint32_t, AgentId>> unusable_;
   std::uint32_t done_round_ = 0;
   std::vector<std::uint64_t> matched_;  ///< as last introduced
   RoundOutput last_;

@@ -48,6 +48,11 @@ const ph::PlanarPath& Planner::path() const {
   return path_;
 }
 
+bool Planner::can_use(const Representative& peer) const {
+  const auto uav = std::ranges::find(problem_.participants, peer.agent, &Participant::id);
+  return peer.agent != problem_.own().id && uav != problem_.participants.end() && fault_of(peer, *uav) == nullptr;
+}
+
 void Planner::check(std::span<const Representative> peers) const {
   AgentId before = 0;
   for (const Representative& peer : peers) {

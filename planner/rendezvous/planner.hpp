@@ -42,11 +42,14 @@ class Planner {
   /// @throws std::invalid_argument if the mission cannot be planned (cost/problem.hpp) or has no vehicle `self`.
   Planner(const Mission& mission, AgentId self);
 
+  /// Whether advance() takes this representative: from a peer of the mission, its particle two numbers within that
+  /// peer's search range, its lengths positive and finite.
+  [[nodiscard]] bool can_use(const Representative& peer) const;
+
   /// One planning round. `peers`: the representatives that all live peers published in the round before, by ascending
   /// id; none in the first round (it reads none). A peer may be absent from any round on: it no longer counts.
   /// After Ready or Failed every call returns the same.
-  /// @throws std::invalid_argument if a representative is not from a peer of the mission, is out of order, or has a
-  /// particle that is not two numbers within that peer's search range, or a length that is not positive and finite.
+  /// @throws std::invalid_argument if a representative is out of order or cannot be used (can_use).
   PlanRound advance(std::span<const Representative> peers);
 
   /// The final path. @pre the last round was Ready. @throws std::logic_error otherwise
