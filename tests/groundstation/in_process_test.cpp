@@ -43,7 +43,8 @@ TEST(InProcess, SameSeedSameHashOtherSeedOtherHash) {
 }
 
 TEST(InProcess, KilledAgentsRunEqualsItsReplay) {
-  for (const Fault& fault : {Fault{FaultKind::Kill, 2, Phase::Planning, 25}, Fault{FaultKind::Kill, 2, Phase::Flying, 100}}) {
+  for (const Fault& fault :
+       {Fault{FaultKind::Kill, 2, Phase::Planning, 25}, Fault{FaultKind::Kill, 2, Phase::Flying, 100}}) {
     const Scenario scenario = scenario_of("rendezvous-2d", 3);
     InProcessOptions options;
     options.faults = {fault};
