@@ -72,6 +72,12 @@ void complete(Json& report, const Launcher& launcher) {
   }
   if (measured > 0) report["pss_mb_per_agent"] = pss_sum_mb / static_cast<double>(measured);
   report["processes"] = processes;
+  for (const Json& change : report["roster_changes"]) {
+    const auto lost = launcher.agents().find(change["agent"].get<unsigned>());
+    if (lost == launcher.agents().end() || !lost->second.wait_status) continue;
+    report["reason"] = fmt::format("{} (process {} of agent {}: {})", report["reason"].get<std::string>(),
+                                   lost->second.pid, lost->first, describe_status(*lost->second.wait_status));
+  }
   if (launcher.signal()) {
     report["success"] = false;
     report["exit_code"] = 128 + *launcher.signal();

@@ -81,6 +81,7 @@ TEST_P(KilledAgent, OthersFinishAndTheReplayGivesTheSameHash) {
   EXPECT_NE(reason.find("agent 2"), std::string::npos) << reason;
   EXPECT_NE(reason.find("step"), std::string::npos) << reason;
   EXPECT_NE(reason.find("process_ended"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("signal 9 (Killed)"), std::string::npos) << reason;
   for (const auto& process : run.report.at("processes")) {
     const bool killed = process.at("agent") == 2;
     EXPECT_EQ(process.at("ended_by"), killed ? "signal 9 (Killed)" : "exit status 0");
