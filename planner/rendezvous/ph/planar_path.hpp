@@ -15,6 +15,7 @@
 
 #include "planner/core/geometry/types.hpp"
 #include "planner/rendezvous/ph/complex.hpp"
+#include "planner/rendezvous/ph/speed_profile.hpp"
 
 namespace skein::rendezvous::ph {
 
@@ -35,23 +36,23 @@ class PlanarPath {
   PlanarPath() = default;  ///< a point at the origin, of length 0
   PlanarPath(const Vec2& start_m, const Preimage& w);
 
-  [[nodiscard]] double length_m() const { return length_m_; }
+  [[nodiscard]] double length_m() const { return profile_.length_m(); }
   [[nodiscard]] const Preimage& preimage() const { return w_; }
   [[nodiscard]] const Vec2& start_m() const { return start_m_; }
 
   /// By parameter q in [0, 1]: position (m), |dr/dq| (m), signed curvature (1/m), arc length from the start (m).
   [[nodiscard]] Vec2 position(double q) const;
-  [[nodiscard]] double speed(double q) const;
+  [[nodiscard]] double speed(double q) const { return profile_.speed(q); }
   [[nodiscard]] double curvature(double q) const;
   [[nodiscard]] double heading(double q) const;
-  [[nodiscard]] double arc_length(double q) const;
+  [[nodiscard]] double arc_length(double q) const { return profile_.arc_length(q); }
 
   /// Integral of the squared curvature over arc length (1/m), by 16-point Gauss-Legendre quadrature.
   [[nodiscard]] double elastic_energy_per_m() const;
 
   /// The parameter at arc length s (m), s clamped to [0, length]; `guess` is where the iteration starts.
-  [[nodiscard]] double parameter_at(double s_m, double guess) const;
-  [[nodiscard]] double parameter_at(double s_m) const;
+  [[nodiscard]] double parameter_at(double s_m, double guess) const { return profile_.parameter_at(s_m, guess); }
+  [[nodiscard]] double parameter_at(double s_m) const { return profile_.parameter_at(s_m); }
 
   /// At arc length s (m), clamped to [0, length]: position (m), heading (rad), signed curvature (1/m, left positive).
   [[nodiscard]] Vec2 position_at(double s_m) const { return position(parameter_at(s_m)); }
@@ -60,17 +61,16 @@ class PlanarPath {
 
   /// Quadratic n(q) with kappa = 2 n / sigma^2, and sigma itself, by powers of q.
   [[nodiscard]] const std::array<double, 3>& bend() const { return bend_; }
-  [[nodiscard]] const std::array<double, 5>& speed_powers() const { return speed_; }
+  [[nodiscard]] const std::array<double, 5>& speed_powers() const { return profile_.powers(); }
+  [[nodiscard]] const SpeedProfile& profile() const { return profile_; }
 
  private:
   Vec2 start_m_ = Vec2::Zero();
   Preimage w_;
-  double length_m_ = 0.0;
-  std::array<double, 5> x_{};      ///< coefficients of q^1 .. q^5
-  std::array<double, 5> y_{};      ///< coefficients of q^1 .. q^5
-  std::array<double, 5> s_{};      ///< coefficients of q^1 .. q^5
-  std::array<double, 5> speed_{};  ///< coefficients of q^0 .. q^4
-  std::array<double, 3> bend_{};   ///< coefficients of q^0 .. q^2
+  SpeedProfile profile_;
+  std::array<double, 5> x_{};     ///< coefficients of q^1 .. q^5
+  std::array<double, 5> y_{};     ///< coefficients of q^1 .. q^5
+  std::array<double, 3> bend_{};  ///< coefficients of q^0 .. q^2
 };
 
 /// Points at arc lengths L k / (n - 1), k = 0 .. n - 1, n at least 2, both ends included.
