@@ -40,7 +40,8 @@ void RendezvousBehaviour::plan(const RoundInput& input) {
 }
 
 void RendezvousBehaviour::fly(const Sense& sense) {
-  const PathFollower::Command command = follower_.command(planner_.path(), sense.pose);
+  const PathFollower::Command command = std::visit(
+      [&](const auto& planner) { return follower_.command(planner.path(), sense.pose); }, planner_.in_space());
   last_.mode = command.path_flown ? AgentMode::Arrived : AgentMode::Flying;
   last_.commanded_velocity_mps = command.velocity_mps;
 }

@@ -42,4 +42,22 @@ PathFollower::Command PathFollower::command(const rendezvous::ph::PlanarPath& pa
   return {Vec3(speed_mps_ * direction.x(), speed_mps_ * direction.y(), 0.0), flown};
 }
 
+PathFollower::Command PathFollower::command(const rendezvous::ph::SpatialPath& path, const Pose& pose) {
+  if (under_way_) travelled_m_ += step_m_;
+  under_way_ = true;
+  double q = path.parameter_at(travelled_m_);
+  travelled_m_ += (pose.position_m - path.position(q)).dot(path.direction(q));
+  const bool flown = travelled_m_ >= path.length_m();
+
+  q = path.parameter_at(travelled_m_, q);
+  const Vec3 along = path.direction(q);
+  const Vec3 offset_m = pose.position_m - path.position(q);
+  const Vec3 aside_m = offset_m - offset_m.dot(along) * along;  // beyond the end the path goes straight on
+  const Vec3 ahead = path.direction(path.parameter_at(travelled_m_ + step_m_, q));
+  const Vec3 moving = direction_of(pose);
+  const Vec3 wanted = moving + (ahead - along) - (1.0 - kPole) * (1.0 - kPole) / step_m_ * aside_m -
+                      0.5 * (1.0 - kPole) * (3.0 + kPole) * (moving - along);
+  return {speed_mps_ * wanted.normalized(), flown};
+}
+
 }  // namespace skein

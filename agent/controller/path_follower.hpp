@@ -5,11 +5,15 @@
 //   d_chi = chi(s + D) - chi(s) - (1 - p)^2 e_y / D - (1 - p)(3 + p) / 2 e_chi,
 // the path's own turn plus the feedback that puts both poles of the sampled error dynamics
 //   e_y' = e_y + D e_chi + D d / 2,  e_chi' = e_chi + d   at p.
+// In space the same law acts on directions: with the unit directions t of the path and v of the vehicle, and e the
+// offset across the path, the direction to have at the end of the step is that of
+//   v + t(s + D) - t(s) - (1 - p)^2 e / D - (1 - p)(3 + p) / 2 (v - t(s)).
 // Source: own; pole placement of a sampled double integrator. Complexity: O(1) a step.
 #pragma once
 
 #include "planner/core/mission/mission.hpp"
 #include "planner/rendezvous/ph/planar_path.hpp"
+#include "planner/rendezvous/ph/spatial_path.hpp"
 
 namespace skein {
 
@@ -25,6 +29,7 @@ class PathFollower {
 
   /// The command of the next step for a vehicle at `pose` (world frame).
   [[nodiscard]] Command command(const rendezvous::ph::PlanarPath& path, const Pose& pose);
+  [[nodiscard]] Command command(const rendezvous::ph::SpatialPath& path, const Pose& pose);
 
   void add_to(StateHash& hash) const { hash.add(travelled_m_); }
 

@@ -12,10 +12,10 @@ ph::Controls controls_of(const Representative& representative) {
 }
 
 /// What is wrong with a representative, or nothing.
-const char* fault_of(const Representative& representative, const Participant& uav) {
+const char* fault_of(const Representative& representative, const Interval& range_m) {
   if (representative.particle.size() != 2) return "its particle has not two numbers";
   for (const double m : representative.particle) {
-    if (!uav.range_m.contains(m)) return "its particle is out of the search range";
+    if (!range_m.contains(m)) return "its particle is out of the search range";
   }
   for (const double length : {representative.path_length_m, representative.own_length_m}) {
     if (!(length > 0.0) || !std::isfinite(length)) return "its length is not positive and finite";
@@ -25,9 +25,12 @@ const char* fault_of(const Representative& representative, const Participant& ua
 
 }  // namespace
 
-Planner::Planner(const Mission& mission, AgentId self) : problem_(make_problem(mission, self)), swarm_(problem_) {}
+template <typename Space>
+PlannerIn<Space>::PlannerIn(const Mission& mission, AgentId self)
+    : problem_(make_problem<Space>(mission, self)), swarm_(problem_) {}
 
-PlanRound Planner::advance(std::span<const Representative> peers) {
+template <typename Space>
+PlanRound PlannerIn<Space>::advance(std::span<const Representative> peers) {
   if (round_.status != PlanStatus::Planning) return round_;
   if (!started_) {
     started_ = true;
@@ -43,30 +46,35 @@ PlanRound Planner::advance(std::span<const Representative> peers) {
   return round_;
 }
 
-const ph::PlanarPath& Planner::path() const {
+template <typename Space>
+const typename Space::Path& PlannerIn<Space>::path() const {
   if (round_.status != PlanStatus::Ready) throw std::logic_error("the planner has no final path: it is not Ready");
   return path_;
 }
 
-bool Planner::can_use(const Representative& peer) const {
+template <typename Space>
+bool PlannerIn<Space>::can_use(const Representative& peer) const {
   const auto uav = std::ranges::find(problem_.participants, peer.agent, &Participant::id);
-  return peer.agent != problem_.own().id && uav != problem_.participants.end() && fault_of(peer, *uav) == nullptr;
+  return peer.agent != problem_.own().id && uav != problem_.participants.end() &&
+         fault_of(peer, uav->range_m) == nullptr;
 }
 
-void Planner::check(std::span<const Representative> peers) const {
+template <typename Space>
+void PlannerIn<Space>::check(std::span<const Representative> peers) const {
   AgentId before = 0;
   for (const Representative& peer : peers) {
     const std::string name = "representative of agent " + std::to_string(peer.agent) + ": ";
     if (peer.agent == problem_.own().id) throw std::invalid_argument(name + "that is this planner itself");
     if (peer.agent <= before) throw std::invalid_argument(name + "ids must ascend");
     before = peer.agent;
-    if (const char* fault = fault_of(peer, participant_of(problem_, peer.agent))) {
+    if (const char* fault = fault_of(peer, participant_of(problem_, peer.agent).range_m)) {
       throw std::invalid_argument(name + fault);
     }
   }
 }
 
-std::optional<double> Planner::reference_length_m(std::span<const Representative> peers) const {
+template <typename Space>
+std::optional<double> PlannerIn<Space>::reference_length_m(std::span<const Representative> peers) const {
   double longest_m = round_.representative.own_length_m;
   AgentId holder = problem_.own().id;
   for (const Representative& peer : peers) {
@@ -79,13 +87,14 @@ std::optional<double> Planner::reference_length_m(std::span<const Representative
   return longest_m;
 }
 
-void Planner::search(std::span<const Representative> peers) {
+template <typename Space>
+void PlannerIn<Space>::search(std::span<const Representative> peers) {
   std::vector<PeerPath> paths;
   paths.reserve(peers.size());
   for (const Representative& peer : peers) {
     const Participant& uav = participant_of(problem_, peer.agent);
     PeerPath path{peer.agent, required_separation_m(problem_.own(), uav),
-                  std::vector<Vec2>(static_cast<std::size_t>(problem_.options.check_points))};
+                  std::vector<typename Space::Vec>(static_cast<std::size_t>(problem_.options.check_points))};
     equidistant_points(uav.hermite.path(controls_of(peer)), path.points_m);
     paths.push_back(std::move(path));
   }
@@ -93,21 +102,23 @@ void Planner::search(std::span<const Representative> peers) {
   report_search();
 }
 
-void Planner::align(std::span<const Representative> peers) {
+template <typename Space>
+void PlannerIn<Space>::align(std::span<const Representative> peers) {
   if (!aligner_) aligner_.emplace(swarm_.own_best().controls, swarm_.best().controls);
-  const Aligner::Outcome outcome = aligner_->advance(problem_, peers);
+  const AlignOutcome outcome = aligner_->advance(problem_, peers);
   report_alignment();
-  if (outcome == Aligner::Outcome::Agreed) {
+  if (outcome == AlignOutcome::Agreed) {
     round_.status = PlanStatus::Ready;
     path_ = problem_.own().hermite.path(aligner_->controls());
-  } else if (outcome == Aligner::Outcome::Failed) {
+  } else if (outcome == AlignOutcome::Failed) {
     round_.status = PlanStatus::Failed;
     round_.failed_constraint = aligner_->violated();
     round_.failed_peer = aligner_->violated_peer();
   }
 }
 
-void Planner::report_search() {
+template <typename Space>
+void PlannerIn<Space>::report_search() {
   Representative& out = round_.representative;
   const Evaluation& best = swarm_.best();
   out.agent = problem_.own().id;
@@ -120,7 +131,8 @@ void Planner::report_search() {
   round_.generation = static_cast<std::uint32_t>(swarm_.generation());
 }
 
-void Planner::report_alignment() {
+template <typename Space>
+void PlannerIn<Space>::report_alignment() {
   Representative& out = round_.representative;
   Evaluation evaluation;
   evaluate(problem_, aligner_->controls(), evaluation);
@@ -131,10 +143,41 @@ void Planner::report_alignment() {
   out.path_length_m = aligner_->length_m();
 }
 
-void Planner::add_to(StateHash& hash) const {
+template <typename Space>
+void PlannerIn<Space>::add_to(StateHash& hash) const {
   swarm_.add_to(hash);
   hash.add(started_).add(aligner_.has_value()).add(round_.status).add(round_.representative.own_length_m);
   if (aligner_) aligner_->add_to(hash);
+}
+
+template class PlannerIn<Planar>;
+template class PlannerIn<Spatial>;
+
+namespace {
+
+Planner::InSpace make_in_space(const Mission& mission, AgentId self) {
+  if (is_planar(mission)) return Planner::InSpace(std::in_place_type<PlannerIn<Planar>>, mission, self);
+  return Planner::InSpace(std::in_place_type<PlannerIn<Spatial>>, mission, self);
+}
+
+}  // namespace
+
+Planner::Planner(const Mission& mission, AgentId self) : in_space_(make_in_space(mission, self)) {}
+
+bool Planner::can_use(const Representative& peer) const {
+  return std::visit([&](const auto& planner) { return planner.can_use(peer); }, in_space_);
+}
+
+PlanRound Planner::advance(std::span<const Representative> peers) {
+  return std::visit([&](auto& planner) { return planner.advance(peers); }, in_space_);
+}
+
+void Planner::add_to(StateHash& hash) const {
+  std::visit([&](const auto& planner) { planner.add_to(hash); }, in_space_);
+}
+
+double Planner::path_length_m() const {
+  return std::visit([](const auto& planner) { return planner.path().length_m(); }, in_space_);
 }
 
 }  // namespace skein::rendezvous

@@ -12,13 +12,13 @@
 
 #include <optional>
 #include <span>
+#include <variant>
 
 #include "planner/core/hash/state_hash.hpp"
 #include "planner/core/lockstep/samples.hpp"
 #include "planner/core/mission/mission.hpp"
 #include "planner/rendezvous/align/aligner.hpp"
 #include "planner/rendezvous/cost/problem.hpp"
-#include "planner/rendezvous/ph/planar_path.hpp"
 #include "planner/rendezvous/swarm/sub_swarm.hpp"
 
 namespace skein::rendezvous {
@@ -37,10 +37,20 @@ struct PlanRound {
   std::uint32_t generation = 0;  ///< of the sub-swarm; stays at T while the swarm aligns
 };
 
-class Planner {
+/// The planner in one space: in the plane nothing is paid for the third axis.
+template <typename Space>
+class PlannerIn {
  public:
+  using Problem = ProblemIn<Space>;
+  using Participant = ParticipantIn<Space>;
+  using SubSwarm = SubSwarmIn<Space>;
+  using PeerPath = PeerPathIn<Space>;
+  using Evaluation = EvaluationIn<Space>;
+  using Aligner = AlignerIn<Space>;
+  using Path = typename Space::Path;
+
   /// @throws std::invalid_argument if the mission cannot be planned (cost/problem.hpp) or has no vehicle `self`.
-  Planner(const Mission& mission, AgentId self);
+  PlannerIn(const Mission& mission, AgentId self);
 
   /// Whether advance() takes this representative: from a peer of the mission, its particle two numbers within that
   /// peer's search range, its lengths positive and finite.
@@ -53,7 +63,7 @@ class Planner {
   PlanRound advance(std::span<const Representative> peers);
 
   /// The final path. @pre the last round was Ready. @throws std::logic_error otherwise
-  [[nodiscard]] const ph::PlanarPath& path() const;
+  [[nodiscard]] const Path& path() const;
 
   [[nodiscard]] const Problem& problem() const { return problem_; }
   [[nodiscard]] const SubSwarm& swarm() const { return swarm_; }
@@ -74,7 +84,30 @@ class Planner {
   bool started_ = false;
   std::optional<Aligner> aligner_;
   PlanRound round_;
-  ph::PlanarPath path_;
+  Path path_;
+};
+
+/// The planner in the space that the mission asks for (is_planar); otherwise as PlannerIn.
+class Planner {
+ public:
+  using InSpace = std::variant<PlannerIn<Planar>, PlannerIn<Spatial>>;
+
+  Planner(const Mission& mission, AgentId self);
+
+  [[nodiscard]] bool can_use(const Representative& peer) const;
+  PlanRound advance(std::span<const Representative> peers);
+  void add_to(StateHash& hash) const;
+  /// Length (m) of the final path. @pre the last round was Ready. @throws std::logic_error otherwise
+  [[nodiscard]] double path_length_m() const;
+
+  [[nodiscard]] const InSpace& in_space() const { return in_space_; }
+  /// @throws std::bad_variant_access if the mission is not planar
+  [[nodiscard]] const PlannerIn<Planar>& planar() const { return std::get<PlannerIn<Planar>>(in_space_); }
+  /// @throws std::bad_variant_access if the mission is planar
+  [[nodiscard]] const PlannerIn<Spatial>& spatial() const { return std::get<PlannerIn<Spatial>>(in_space_); }
+
+ private:
+  InSpace in_space_;
 };
 
 }  // namespace skein::rendezvous

@@ -178,6 +178,10 @@ double signed_distance(const Vec3& p, const Box& box) {
 }
 
 double signed_distance(const Vec3& a, const Vec3& b, const Cylinder& cylinder) {
+  if (std::min(a.z(), b.z()) >= cylinder.z_min_m && std::max(a.z(), b.z()) <= cylinder.z_max_m) {
+    const double beside_m = signed_distance(Vec2(a.head<2>()), Vec2(b.head<2>()), cylinder);
+    if (beside_m >= 0.0) return beside_m;  // between the heights of the ends the side is nearest
+  }
   const Vec3 along = b - a;
   return least_of_convex([&](double t) { return signed_distance(Vec3(a + t * along), cylinder); });
 }

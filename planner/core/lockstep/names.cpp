@@ -8,8 +8,8 @@ namespace {
 constexpr std::array<std::string_view, 4> kPhases{"waiting", "planning", "flying", "finished"};
 constexpr std::array<std::string_view, 7> kModes{"waiting", "planning", "ready",  "failed",
                                                  "flying",  "arrived",  "leaving"};
-constexpr std::array<std::string_view, 6> kConstraints{"none",   "curvature",  "obstacle",
-                                                       "no_fly", "separation", "length"};
+constexpr std::array<std::string_view, 8> kConstraints{"none",       "curvature", "obstacle", "no_fly",
+                                                       "separation", "length",    "torsion",  "terrain"};
 constexpr std::array<std::string_view, 4> kRefusals{"", "id_in_use", "unknown_id", "run_started"};
 constexpr std::array<std::string_view, 4> kLosses{"none", "process_ended", "deadline", "left"};
 

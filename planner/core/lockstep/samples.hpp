@@ -34,6 +34,8 @@ enum class Constraint : std::uint8_t {
   NoFly = 3,       ///< J_nofly of Eq. 11
   Separation = 4,  ///< Eq. 15, 17
   Length = 5,      ///< Eq. 16: the common length cannot be reached
+  Torsion = 6,     ///< Eq. 12, in space
+  Terrain = 7,     ///< J_terr of Eq. 11
 };
 
 enum class RefusalReason : std::uint8_t { IdInUse = 1, UnknownId = 2, RunStarted = 3 };

@@ -36,6 +36,16 @@ void add_zone(StateHash& hash, const Zone& zone) {
   }
 }
 
+/// What planar missions leave out enters the hash only when it is there.
+void add_space(StateHash& hash, const Mission& mission) {
+  for (const VehicleSpec& v : mission.vehicles) {
+    if (v.max_torsion_per_m != kUnlimitedTorsion_per_m) hash.add(v.id).add(v.max_torsion_per_m);
+  }
+  if (!mission.terrain) return;
+  const Terrain& t = *mission.terrain;
+  for (const double constant : {t.a, t.b, t.c, t.d, t.e, t.f, t.g, t.h, t.l, t.unit_m}) hash.add(constant);
+}
+
 }  // namespace
 
 std::uint64_t mission_hash(const Mission& mission) {
@@ -52,6 +62,7 @@ std::uint64_t mission_hash(const Mission& mission) {
   for (const RendezvousField& field : kRendezvousFields) {
     std::visit([&](auto member) { hash.add(static_cast<double>(mission.planner.*member)); }, field.member);
   }
+  add_space(hash, mission);
   return hash.value();
 }
 

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "planner/core/geometry/terrain.hpp"
 #include "planner/core/geometry/types.hpp"
 #include "planner/core/hash/state_hash.hpp"
 #include "planner/core/options/rendezvous_options.hpp"
@@ -26,6 +28,9 @@ enum class VehicleType : std::uint8_t { ConstantSpeed = 1 };
 /// What becomes of the vehicle of a lost agent.
 enum class OnAgentLoss : std::uint8_t { Remove = 1, Continue = 2 };
 
+/// A torsion limit that stands for none (per m).
+inline constexpr double kUnlimitedTorsion_per_m = 10.0;
+
 /// One UAV as the mission knows it.
 struct VehicleSpec {
   AgentId id = 0;
@@ -34,8 +39,9 @@ struct VehicleSpec {
   VehicleType type = VehicleType::ConstantSpeed;
   double speed_mps = 0.0;
   double max_curvature_per_m = 0.0;
-  double radius_m = 0.0;         ///< of the body: closer than the sum of two is a collision
-  double safety_radius_m = 0.0;  ///< R of Eq. 17: closer than the sum of two is a near miss
+  double radius_m = 0.0;                               ///< of the body: closer than the sum of two is a collision
+  double safety_radius_m = 0.0;                        ///< R of Eq. 17: closer than the sum of two is a near miss
+  double max_torsion_per_m = kUnlimitedTorsion_per_m;  ///< of planned paths in space (Eq. 12)
 
   bool operator==(const VehicleSpec&) const = default;
 };
@@ -58,6 +64,7 @@ struct Mission {
   double arrival_radius_m = 0.0;
   std::vector<VehicleSpec> vehicles;  ///< by ascending id
   std::vector<Zone> zones;
+  std::optional<Terrain> terrain;  ///< the ground; none: nothing is below
   RendezvousOptions planner;
 
   bool operator==(const Mission&) const = default;

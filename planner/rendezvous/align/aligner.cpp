@@ -21,10 +21,12 @@ constexpr double kLastRaise = 2.0;
 
 }  // namespace
 
-Aligner::Aligner(const ph::Controls& own_best, const ph::Controls& group_best)
+template <typename Space>
+AlignerIn<Space>::AlignerIn(const ph::Controls& own_best, const ph::Controls& group_best)
     : own_best_(own_best), group_best_(group_best), controls_(own_best) {}
 
-Aligner::Outcome Aligner::advance(const Problem& problem, std::span<const Representative> peers) {
+template <typename Space>
+AlignOutcome AlignerIn<Space>::advance(const Problem& problem, std::span<const Representative> peers) {
   if (outcome_ != Outcome::Aligning) return outcome_;
   ++round_;
   if (round_ == 1) {
@@ -44,7 +46,8 @@ Aligner::Outcome Aligner::advance(const Problem& problem, std::span<const Repres
   return outcome_;
 }
 
-void Aligner::open(const Problem& problem, std::span<const Representative> peers) {
+template <typename Space>
+void AlignerIn<Space>::open(const Problem& problem, std::span<const Representative> peers) {
   length_m_ = problem.own().hermite.length_m(own_best_);
   double longest_m = 0.0;
   for (const Representative& peer : peers) longest_m = std::max(longest_m, peer.own_length_m);
@@ -53,7 +56,8 @@ void Aligner::open(const Problem& problem, std::span<const Representative> peers
 }
 
 /// Replaces the own best by the best path that is proved, or notes that this UAV has none.
-void Aligner::prove(const Problem& problem) {
+template <typename Space>
+void AlignerIn<Space>::prove(const Problem& problem) {
   const AlonePath alone = best_alone(problem, own_best_);
   feasible_alone_ = alone.violated == Constraint::None;
   if (!feasible_alone_) violated_ = alone.violated;
@@ -63,7 +67,8 @@ void Aligner::prove(const Problem& problem) {
   length_m_ = alone.length_m;
 }
 
-void Aligner::blame(std::span<const Representative> peers) {
+template <typename Space>
+void AlignerIn<Space>::blame(std::span<const Representative> peers) {
   if (violated_ != Constraint::None) return;
   violated_ = Constraint::Length;
   for (const Representative& peer : peers) {
@@ -74,7 +79,8 @@ void Aligner::blame(std::span<const Representative> peers) {
   }
 }
 
-void Aligner::align(const Problem& problem, std::span<const Representative> peers) {
+template <typename Space>
+void AlignerIn<Space>::align(const Problem& problem, std::span<const Representative> peers) {
   double target_m = length_m_;
   for (const Representative& peer : peers) target_m = std::max(target_m, peer.path_length_m);
   if (!same_length(length_m_, target_m)) asked_ = 0;
@@ -92,10 +98,11 @@ void Aligner::align(const Problem& problem, std::span<const Representative> peer
   settled_ = std::ranges::all_of(peers, ready) && conflict(dense_, neighbours_, false) == 0;
 }
 
-void Aligner::look_at(const Problem& problem, std::span<const Representative> peers, double target_m) {
+template <typename Space>
+void AlignerIn<Space>::look_at(const Problem& problem, std::span<const Representative> peers, double target_m) {
   std::vector<Neighbour> seen;
   for (const Representative& peer : peers) {
-    const Participant& uav = participant_of(problem, peer.agent);
+    const ParticipantIn<Space>& uav = participant_of(problem, peer.agent);
     const bool asks = peer.violated == Constraint::Separation;
     Neighbour now;
     now.id = peer.agent;
@@ -112,7 +119,8 @@ void Aligner::look_at(const Problem& problem, std::span<const Representative> pe
 }
 
 /// To the target; else asks for the way or raises the target; else stays, with the constraint that fails.
-void Aligner::find_way(const Problem& problem, double target_m) {
+template <typename Space>
+void AlignerIn<Space>::find_way(const Problem& problem, double target_m) {
   if (asked_ > 0 && asked_ < kPatience) {
     ++asked_;  // the others are giving way: no moving now
     return;
@@ -140,7 +148,8 @@ void Aligner::find_way(const Problem& problem, double target_m) {
 }
 
 /// At the target, and only in conflict with UAVs of higher id: those that asked in vain must find another way.
-bool Aligner::may_stay(const Problem& problem, double target_m) const {
+template <typename Space>
+bool AlignerIn<Space>::may_stay(const Problem& problem, double target_m) const {
   const auto blocks = [&](const Neighbour& peer) {
     return peer.id < problem.own().id && peer.at_target && !keeps_apart(dense_, peer.dense, peer.separation_m);
   };
@@ -148,7 +157,8 @@ bool Aligner::may_stay(const Problem& problem, double target_m) const {
 }
 
 /// The smallest longer length with a path; each further raise begins with a larger step, so that they come to an end.
-bool Aligner::raise(const Problem& problem, double target_m) {
+template <typename Space>
+bool AlignerIn<Space>::raise(const Problem& problem, double target_m) {
   const std::array<ph::Controls, 3> starts{group_best_, own_best_, controls_};
   double step = kFirstRaise;
   for (std::int32_t k = 0; k < raised_; ++k) step *= kRaiseGrowth;
@@ -163,7 +173,8 @@ bool Aligner::raise(const Problem& problem, double target_m) {
   return false;
 }
 
-void Aligner::take(const Chosen& chosen, Constraint violated, AgentId peer) {
+template <typename Space>
+void AlignerIn<Space>::take(const Chosen& chosen, Constraint violated, AgentId peer) {
   controls_ = chosen.controls;
   dense_ = chosen.dense;
   length_m_ = chosen.dense.path.length_m();
@@ -173,7 +184,8 @@ void Aligner::take(const Chosen& chosen, Constraint violated, AgentId peer) {
 }
 
 /// Names what a choice depends on: the target, and the UAVs at it with their right of way.
-std::uint64_t Aligner::task_of(double target_m) const {
+template <typename Space>
+std::uint64_t AlignerIn<Space>::task_of(double target_m) const {
   StateHash hash;
   hash.add(target_m).add(asked_ >= kPatience);
   for (const Neighbour& peer : neighbours_) {
@@ -182,10 +194,14 @@ std::uint64_t Aligner::task_of(double target_m) const {
   return hash.value();
 }
 
-void Aligner::add_to(StateHash& hash) const {
+template <typename Space>
+void AlignerIn<Space>::add_to(StateHash& hash) const {
   hash.add(round_).add(outcome_).add(settled_).add(feasible_alone_).add(violated_).add(violated_peer_);
   for (const ph::Controls& m : {own_best_, group_best_, controls_}) hash.add(m.m0_m).add(m.m1_m);
   hash.add(length_m_).add(asked_).add(raised_).add(failed_task_);
 }
+
+template class AlignerIn<Planar>;
+template class AlignerIn<Spatial>;
 
 }  // namespace skein::rendezvous

@@ -28,16 +28,24 @@
 
 namespace skein::rendezvous {
 
-class Aligner {
+enum class AlignOutcome : std::uint8_t {
+  Aligning = 0,  ///< rounds go on
+  Agreed = 1,    ///< all live UAVs have settled at one length
+  Failed = 2,    ///< the rounds are used up
+};
+
+template <typename Space>
+class AlignerIn {
  public:
-  enum class Outcome : std::uint8_t {
-    Aligning = 0,  ///< rounds go on
-    Agreed = 1,    ///< all live UAVs have settled at one length
-    Failed = 2,    ///< the rounds are used up
-  };
+  using Outcome = AlignOutcome;
+  using Problem = ProblemIn<Space>;
+  using DensePath = DensePathIn<Space>;
+  using Neighbour = NeighbourIn<Space>;
+  using Chosen = ChosenIn<Space>;
+  using Choice = ChoiceIn<Space>;
 
   /// `own_best` and `group_best`: the sub-swarm's best by own and by modified cost.
-  Aligner(const ph::Controls& own_best, const ph::Controls& group_best);
+  AlignerIn(const ph::Controls& own_best, const ph::Controls& group_best);
 
   /// One round. `peers`: checked representatives of the round before, by ascending id.
   Outcome advance(const Problem& problem, std::span<const Representative> peers);
@@ -80,5 +88,7 @@ class Aligner {
   DensePath dense_;                    ///< of controls_
   std::vector<Neighbour> neighbours_;  ///< the peers of the round before; kept to save sampling them again
 };
+
+using Aligner = AlignerIn<Planar>;
 
 }  // namespace skein::rendezvous

@@ -11,11 +11,13 @@ constexpr std::int32_t kGridNodes = 48;
 constexpr int kHalvings = 12;
 constexpr int kMaxMoves = 400;
 
-Constraint violation(const Problem& problem, const ph::Controls& controls) {
+template <typename Space>
+Constraint violation(const ProblemIn<Space>& problem, const ph::Controls& controls) {
   return check_alone(problem, problem.own().hermite.path(controls));
 }
 
-double cost_of(const Problem& problem, const ph::Controls& controls) {
+template <typename Space>
+double cost_of(const ProblemIn<Space>& problem, const ph::Controls& controls) {
   return bare_cost(problem, problem.own().hermite.path(controls));
 }
 
@@ -25,7 +27,8 @@ struct Node {
 };
 
 /// The cheapest node of a coarse grid that passes, or `start` with what it violates.
-AlonePath cheapest_on_grid(const Problem& problem, const ph::Controls& start, Constraint violated) {
+template <typename Space>
+AlonePath cheapest_on_grid(const ProblemIn<Space>& problem, const ph::Controls& start, Constraint violated) {
   const Interval& range = problem.own().range_m;
   std::vector<Node> nodes;
   for (std::int32_t i = 0; i < kGridNodes; ++i) {
@@ -42,7 +45,8 @@ AlonePath cheapest_on_grid(const Problem& problem, const ph::Controls& start, Co
   return {start, 0.0, violated};
 }
 
-void lower_cost(const Problem& problem, AlonePath& best) {
+template <typename Space>
+void lower_cost(const ProblemIn<Space>& problem, AlonePath& best) {
   const Interval& range = problem.own().range_m;
   double step_m = range.width() / kGridNodes;
   double cost = cost_of(problem, best.controls);
@@ -70,12 +74,16 @@ void lower_cost(const Problem& problem, AlonePath& best) {
 
 }  // namespace
 
-AlonePath best_alone(const Problem& problem, const ph::Controls& start) {
+template <typename Space>
+AlonePath best_alone(const ProblemIn<Space>& problem, const ph::Controls& start) {
   AlonePath best{start, 0.0, violation(problem, start)};
   if (best.violated != Constraint::None) best = cheapest_on_grid(problem, start, best.violated);
   if (best.violated == Constraint::None) lower_cost(problem, best);
   best.length_m = problem.own().hermite.length_m(best.controls);
   return best;
 }
+
+template AlonePath best_alone(const ProblemIn<Planar>&, const ph::Controls&);
+template AlonePath best_alone(const ProblemIn<Spatial>&, const ph::Controls&);
 
 }  // namespace skein::rendezvous

@@ -18,6 +18,7 @@ struct AlonePath {
   Constraint violated = Constraint::None;  ///< not None: no path of this UAV was found that keeps its own constraints
 };
 
-[[nodiscard]] AlonePath best_alone(const Problem& problem, const ph::Controls& start);
+template <typename Space>
+[[nodiscard]] AlonePath best_alone(const ProblemIn<Space>& problem, const ph::Controls& start);
 
 }  // namespace skein::rendezvous

@@ -12,35 +12,40 @@ namespace {
 
 constexpr std::int32_t kGridNodes = 64;
 
+template <typename Space>
 struct Candidate {
   double cost;
   ph::Controls controls;
-  ph::PlanarPath path;
+  typename Space::Path path;
 };
 
-std::vector<Candidate> by_cost(const Problem& problem, const std::vector<ph::Controls>& controls) {
-  std::vector<Candidate> candidates;
+template <typename Space>
+std::vector<Candidate<Space>> by_cost(const ProblemIn<Space>& problem, const std::vector<ph::Controls>& controls) {
+  std::vector<Candidate<Space>> candidates;
   candidates.reserve(controls.size());
   for (const ph::Controls& m : controls) {
-    const ph::PlanarPath path = problem.own().hermite.path(m);
+    const typename Space::Path path = problem.own().hermite.path(m);
     candidates.push_back({bare_cost(problem, path), m, path});
   }
-  std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+  std::ranges::stable_sort(candidates, {}, &Candidate<Space>::cost);
   return candidates;
 }
 
-void note(Choice& choice, Constraint fails, AgentId peer) {
+template <typename Space>
+void note(ChoiceIn<Space>& choice, Constraint fails, AgentId peer) {
   if (choice.fails != Constraint::Length) return;
   choice.fails = fails;
   choice.peer = peer;
 }
 
 /// Puts a candidate where it belongs; what a cheaper one took stays.
-void place(const Problem& problem, const Candidate& candidate, std::span<const Neighbour> neighbours, Choice& choice) {
+template <typename Space>
+void place(const ProblemIn<Space>& problem, const Candidate<Space>& candidate, View<NeighbourIn<Space>> neighbours,
+           ChoiceIn<Space>& choice) {
   if (const Constraint fails = refute(problem, candidate.path); fails != Constraint::None) {
     return note(choice, fails, 0);
   }
-  Chosen chosen{candidate.controls, sample_densely(problem, candidate.path)};
+  ChosenIn<Space> chosen{candidate.controls, sample_densely(problem, candidate.path)};
   if (const Constraint fails = check_alone(problem, chosen.dense); fails != Constraint::None) {
     return note(choice, fails, 0);
   }
@@ -54,9 +59,10 @@ void place(const Problem& problem, const Candidate& candidate, std::span<const N
   }
 }
 
-void choose_among(const Problem& problem, const std::vector<ph::Controls>& controls,
-                  std::span<const Neighbour> neighbours, Choice& choice) {
-  for (const Candidate& candidate : by_cost(problem, controls)) {
+template <typename Space>
+void choose_among(const ProblemIn<Space>& problem, const std::vector<ph::Controls>& controls,
+                  View<NeighbourIn<Space>> neighbours, ChoiceIn<Space>& choice) {
+  for (const Candidate<Space>& candidate : by_cost(problem, controls)) {
     place(problem, candidate, neighbours, choice);
     if (choice.clear) return;
   }
@@ -64,17 +70,19 @@ void choose_among(const Problem& problem, const std::vector<ph::Controls>& contr
 
 }  // namespace
 
-AgentId conflict(const DensePath& dense, std::span<const Neighbour> neighbours, bool binding_only) {
-  for (const Neighbour& peer : neighbours) {
+template <typename Space>
+AgentId conflict(const DensePathIn<Space>& dense, View<NeighbourIn<Space>> neighbours, bool binding_only) {
+  for (const NeighbourIn<Space>& peer : neighbours) {
     const bool counts = binding_only ? peer.binding : peer.at_target;
     if (counts && !keeps_apart(dense, peer.dense, peer.separation_m)) return peer.id;
   }
   return 0;
 }
 
-Choice choose(const Problem& problem, std::span<const ph::Controls> starts, double target_m,
-              std::span<const Neighbour> neighbours) {
-  Choice choice;
+template <typename Space>
+ChoiceIn<Space> choose(const ProblemIn<Space>& problem, std::span<const ph::Controls> starts, double target_m,
+                       View<NeighbourIn<Space>> neighbours) {
+  ChoiceIn<Space> choice;
   std::vector<ph::Controls> near;
   for (const ph::Controls& from : starts) {
     const auto found = on_rays(problem.own(), from, target_m, problem.options.equalise_directions);
@@ -84,5 +92,12 @@ Choice choose(const Problem& problem, std::span<const ph::Controls> starts, doub
   if (!choice.clear) choose_among(problem, on_grid(problem.own(), target_m, kGridNodes), neighbours, choice);
   return choice;
 }
+
+template AgentId conflict(const DensePathIn<Planar>&, View<NeighbourIn<Planar>>, bool);
+template ChoiceIn<Planar> choose(const ProblemIn<Planar>&, std::span<const ph::Controls>, double,
+                                 View<NeighbourIn<Planar>>);
+template AgentId conflict(const DensePathIn<Spatial>&, View<NeighbourIn<Spatial>>, bool);
+template ChoiceIn<Spatial> choose(const ProblemIn<Spatial>&, std::span<const ph::Controls>, double,
+                                  View<NeighbourIn<Spatial>>);
 
 }  // namespace skein::rendezvous

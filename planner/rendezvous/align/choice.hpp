@@ -16,33 +16,42 @@
 namespace skein::rendezvous {
 
 /// A peer as it published itself.
-struct Neighbour {
+template <typename Space>
+struct NeighbourIn {
   AgentId id = 0;
   ph::Controls controls;
   double separation_m = 0.0;  ///< to be kept from it
   bool at_target = false;     ///< its path has the target length: its motion can be compared
   bool binding = false;       ///< at the target, and has the right of way
-  DensePath dense;
+  DensePathIn<Space> dense;
 };
 
-struct Chosen {
+template <typename Space>
+struct ChosenIn {
   ph::Controls controls;
-  DensePath dense;
+  DensePathIn<Space> dense;
 };
 
-struct Choice {
-  std::optional<Chosen> clear;            ///< keeps apart from every neighbour at the target
-  std::optional<Chosen> allowed;          ///< keeps apart from the binding ones
-  std::optional<Chosen> alone;            ///< keeps its own constraints; in conflict with a binding neighbour
-  Constraint fails = Constraint::Length;  ///< what the cheapest candidate violates; Length if there is no candidate
-  AgentId peer = 0;                       ///< and with whom, if that is the separation
+template <typename Space>
+struct ChoiceIn {
+  std::optional<ChosenIn<Space>> clear;    ///< keeps apart from every neighbour at the target
+  std::optional<ChosenIn<Space>> allowed;  ///< keeps apart from the binding ones
+  std::optional<ChosenIn<Space>> alone;    ///< keeps its own constraints; in conflict with a binding neighbour
+  Constraint fails = Constraint::Length;   ///< what the cheapest candidate violates; Length if there is no candidate
+  AgentId peer = 0;                        ///< and with whom, if that is the separation
 };
+
+using Neighbour = NeighbourIn<Planar>;
+using Chosen = ChosenIn<Planar>;
+using Choice = ChoiceIn<Planar>;
 
 /// The first neighbour, of those at the target or only of the binding ones, that a path does not keep apart from.
-[[nodiscard]] AgentId conflict(const DensePath& dense, std::span<const Neighbour> neighbours, bool binding_only);
+template <typename Space>
+[[nodiscard]] AgentId conflict(const DensePathIn<Space>& dense, View<NeighbourIn<Space>> neighbours, bool binding_only);
 
 /// Candidates of a length (m); `starts` are the particles from which rays go out.
-[[nodiscard]] Choice choose(const Problem& problem, std::span<const ph::Controls> starts, double target_m,
-                            std::span<const Neighbour> neighbours);
+template <typename Space>
+[[nodiscard]] ChoiceIn<Space> choose(const ProblemIn<Space>& problem, std::span<const ph::Controls> starts,
+                                     double target_m, View<NeighbourIn<Space>> neighbours);
 
 }  // namespace skein::rendezvous

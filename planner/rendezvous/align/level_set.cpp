@@ -19,8 +19,9 @@ ph::Controls between(const Interval& range, const ph::Controls& a, const ph::Con
 }
 
 /// Crossing between a and b, at which L - target has the values f_a and f_b of different sign.
-std::optional<ph::Controls> crossing(const Participant& uav, const ph::Controls& a, const ph::Controls& b, double f_a,
-                                     double target_m) {
+template <typename Space>
+std::optional<ph::Controls> crossing(const ParticipantIn<Space>& uav, const ph::Controls& a, const ph::Controls& b,
+                                     double f_a, double target_m) {
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < kBisections; ++i) {
@@ -39,7 +40,8 @@ double reach(const Interval& range, double x, double d) {
   return d < 0.0 ? (range.min - x) / d : HUGE_VAL;
 }
 
-std::optional<ph::Controls> on_ray(const Participant& uav, const ph::Controls& from, double angle_rad,
+template <typename Space>
+std::optional<ph::Controls> on_ray(const ParticipantIn<Space>& uav, const ph::Controls& from, double angle_rad,
                                    double target_m) {
   const math::SinCos d = math::sincos(angle_rad);
   const double end = std::min(reach(uav.range_m, from.m0_m, d.cos), reach(uav.range_m, from.m1_m, d.sin));
@@ -66,7 +68,9 @@ bool same_length(double a_m, double b_m) {
   return std::fabs(a_m - b_m) <= kLengthTolerance * std::max(a_m, b_m);
 }
 
-std::vector<ph::Controls> on_rays(const Participant& uav, const ph::Controls& from, double target_m, std::int32_t n) {
+template <typename Space>
+std::vector<ph::Controls> on_rays(const ParticipantIn<Space>& uav, const ph::Controls& from, double target_m,
+                                  std::int32_t n) {
   if (same_length(uav.hermite.length_m(from), target_m)) return {from};
   std::vector<ph::Controls> found;
   for (std::int32_t k = 0; k < n; ++k) {
@@ -76,7 +80,8 @@ std::vector<ph::Controls> on_rays(const Participant& uav, const ph::Controls& fr
   return found;
 }
 
-std::vector<ph::Controls> on_grid(const Participant& uav, double target_m, std::int32_t n) {
+template <typename Space>
+std::vector<ph::Controls> on_grid(const ParticipantIn<Space>& uav, double target_m, std::int32_t n) {
   const auto node = [&](std::int32_t i) {
     return uav.range_m.clamp(uav.range_m.min + uav.range_m.width() * static_cast<double>(i) / (n - 1));
   };
@@ -99,5 +104,10 @@ std::vector<ph::Controls> on_grid(const Participant& uav, double target_m, std::
   }
   return found;
 }
+
+template std::vector<ph::Controls> on_rays(const ParticipantIn<Planar>&, const ph::Controls&, double, std::int32_t);
+template std::vector<ph::Controls> on_grid(const ParticipantIn<Planar>&, double, std::int32_t);
+template std::vector<ph::Controls> on_rays(const ParticipantIn<Spatial>&, const ph::Controls&, double, std::int32_t);
+template std::vector<ph::Controls> on_grid(const ParticipantIn<Spatial>&, double, std::int32_t);
 
 }  // namespace skein::rendezvous

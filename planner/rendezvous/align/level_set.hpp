@@ -20,10 +20,12 @@ inline constexpr double kLengthTolerance = 1e-10;
 [[nodiscard]] bool same_length(double a_m, double b_m);
 
 /// The first crossing along each of n rays from `from`; `from` itself, alone, if its path has the length already.
-[[nodiscard]] std::vector<ph::Controls> on_rays(const Participant& uav, const ph::Controls& from, double target_m,
-                                                std::int32_t n);
+template <typename Space>
+[[nodiscard]] std::vector<ph::Controls> on_rays(const ParticipantIn<Space>& uav, const ph::Controls& from,
+                                                double target_m, std::int32_t n);
 
 /// All crossings on the edges of a grid of n x n nodes over the search range.
-[[nodiscard]] std::vector<ph::Controls> on_grid(const Participant& uav, double target_m, std::int32_t n);
+template <typename Space>
+[[nodiscard]] std::vector<ph::Controls> on_grid(const ParticipantIn<Space>& uav, double target_m, std::int32_t n);
 
 }  // namespace skein::rendezvous

@@ -1,6 +1,6 @@
 // The cost of one candidate path, term by term, and its modification by the other UAVs' representatives.
 //
-//   1 / f  = w1 L + (1 - w1) E + J_obsc + J_nofly + J_unflyable                                  (Eq. 11)
+//   1 / f  = w1 L + (1 - w1) E + J_obsc + J_nofly + J_terr + J_unflyable                         (Eq. 11)
 //   1 / f' = 1 / f + J_collision + J_dtime                                                       (Eq. 14)
 // with a fixed penalty for each violated constraint (Eq. 11, 12, 15) and J_dtime = 100 |L - Lref|^2 for all but the
 // reference UAV (Eq. 16). Zones and curvature are checked at Np points of equal parameter distance, separation at Nph
@@ -26,7 +26,9 @@ struct CostTerms {
   double curve_energy = 0.0;  ///< J_curve
   double obstacle = 0.0;      ///< J_obsc
   double no_fly = 0.0;        ///< J_nofly
-  double unflyable = 0.0;     ///< J_unflyable, Eq. 12
+  double unflyable = 0.0;     ///< J_unflyable, Eq. 12, by curvature
+  double twisted = 0.0;       ///< J_unflyable, Eq. 12, by torsion; counts once with unflyable
+  double terrain = 0.0;       ///< J_terr
   double collision = 0.0;     ///< J_collision, Eq. 15
   double dtime = 0.0;         ///< J_dtime, Eq. 16
 
@@ -34,7 +36,8 @@ struct CostTerms {
 };
 
 /// w1 L + (1 - w1) E: the cost of a path that violates nothing.
-[[nodiscard]] double bare_cost(const Problem& problem, const ph::PlanarPath& path);
+template <typename Space>
+[[nodiscard]] double bare_cost(const ProblemIn<Space>& problem, const typename Space::Path& path);
 /// 1 / f of Eq. 11: the cost of a path for itself.
 [[nodiscard]] double own_cost(const CostTerms& terms, double length_weight);
 /// 1 / f' of Eq. 14: the cost of a path in its cooperative group.
@@ -43,27 +46,34 @@ struct CostTerms {
 [[nodiscard]] Constraint first_violation(const CostTerms& terms);
 
 /// A candidate with everything that its cost needs; reusable without allocation.
-struct Evaluation {
+template <typename Space>
+struct EvaluationIn {
   ph::Controls controls;
   double length_m = 0.0;
   CostTerms terms;
-  double own = 0.0;            ///< own_cost
-  double modified = 0.0;       ///< modified_cost
-  std::vector<Vec2> points_m;  ///< Nph equidistant points
+  double own = 0.0;                           ///< own_cost
+  double modified = 0.0;                      ///< modified_cost
+  std::vector<typename Space::Vec> points_m;  ///< Nph equidistant points
 };
 
 /// The representative of a peer, as modification needs it.
-struct PeerPath {
+template <typename Space>
+struct PeerPathIn {
   AgentId id = 0;
-  double separation_m = 0.0;   ///< to be kept from it
-  std::vector<Vec2> points_m;  ///< Nph equidistant points
+  double separation_m = 0.0;                  ///< to be kept from it
+  std::vector<typename Space::Vec> points_m;  ///< Nph equidistant points
 };
 
+using Evaluation = EvaluationIn<Planar>;
+using PeerPath = PeerPathIn<Planar>;
+
 /// Fills `into` for controls within the search range: terms of Eq. 11; collision and dtime 0, modified = own.
-void evaluate(const Problem& problem, const ph::Controls& controls, Evaluation& into);
+template <typename Space>
+void evaluate(const ProblemIn<Space>& problem, const ph::Controls& controls, EvaluationIn<Space>& into);
 
 /// Sets collision and dtime. `reference_length_m`: Lref, or nothing for the reference UAV itself.
-void modify(const Problem& problem, std::span<const PeerPath> peers, std::optional<double> reference_length_m,
-            Evaluation& evaluation);
+template <typename Space>
+void modify(const ProblemIn<Space>& problem, View<PeerPathIn<Space>> peers, std::optional<double> reference_length_m,
+            EvaluationIn<Space>& evaluation);
 
 }  // namespace skein::rendezvous

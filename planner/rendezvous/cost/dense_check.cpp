@@ -5,6 +5,7 @@
 
 #include "planner/core/geometry/closest_approach.hpp"
 #include "planner/rendezvous/ph/curvature_bound.hpp"
+#include "planner/rendezvous/ph/torsion_bound.hpp"
 
 namespace skein::rendezvous {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 /// How far, relatively, the curvature that the sag is made from may lie above the path's own.
 constexpr double kBoundTolerance = 0.05;
 
-double gap_m(const DensePath& dense) {
+template <typename Space>
+double gap_m(const DensePathIn<Space>& dense) {
   return dense.path.length_m() / static_cast<double>(dense.points_m.size() - 1);
 }
 
@@ -22,7 +24,8 @@ std::size_t skipped(double spare, double rate, std::size_t count) {
   return static_cast<std::size_t>(std::min(spare / rate - 1.0, static_cast<double>(count)));
 }
 
-bool clear_of(const PlanarZone& zone, double least_m, const DensePath& dense) {
+template <typename Space>
+bool clear_of(const PlanarZone& zone, double least_m, const DensePathIn<Space>& dense) {
   const double gap = gap_m(dense);
   for (std::size_t k = 0; k + 1 < dense.points_m.size();) {
     const double distance = distance_m(zone, dense.points_m[k], dense.points_m[k + 1]);
@@ -32,18 +35,44 @@ bool clear_of(const PlanarZone& zone, double least_m, const DensePath& dense) {
   return true;
 }
 
+bool clear_of(const Terrain& terrain, double least_m, const DensePathIn<Spatial>& dense) {
+  const double tilt = tilt_of(terrain);
+  const double least = least_m + dense.sag_m * tilt;
+  for (std::size_t k = 0; k + 1 < dense.points_m.size();) {
+    const double height = least_height_above_m(terrain, dense.points_m[k], dense.points_m[k + 1]);
+    if (height < least) return false;
+    k += 1 + skipped(height - least, gap_m(dense) * tilt, dense.points_m.size());
+  }
+  return true;
+}
+
+bool flyable(const ProblemIn<Planar>& problem, const ph::PlanarPath& path, Constraint& fails) {
+  fails = Constraint::Curvature;
+  return ph::curvature_within(path, problem.max_curvature_per_m);
+}
+
+bool flyable(const ProblemIn<Spatial>& problem, const ph::SpatialPath& path, Constraint& fails) {
+  fails = Constraint::Curvature;
+  if (!ph::curvature_within(path, problem.max_curvature_per_m)) return false;
+  fails = Constraint::Torsion;
+  return ph::torsion_within(path, problem.max_torsion_per_m);
+}
+
 }  // namespace
 
-DensePath sample_densely(const Problem& problem, const ph::PlanarPath& path) {
-  DensePath dense{path, std::vector<Vec2>(static_cast<std::size_t>(problem.options.dense_points)),
-                  ph::max_curvature_per_m(path, kBoundTolerance), 0.0};
+template <typename Space>
+DensePathIn<Space> sample_densely(const ProblemIn<Space>& problem, const typename Space::Path& path) {
+  DensePathIn<Space> dense{path,
+                           std::vector<typename Space::Vec>(static_cast<std::size_t>(problem.options.dense_points)),
+                           ph::max_curvature_per_m(path, kBoundTolerance), 0.0};
   equidistant_points(path, dense.points_m);
   dense.sag_m = dense.curvature_bound_per_m * gap_m(dense) * gap_m(dense) / 8.0;
   return dense;
 }
 
-Constraint check_alone(const Problem& problem, const DensePath& dense) {
-  if (!ph::curvature_within(dense.path, problem.max_curvature_per_m)) return Constraint::Curvature;
+template <typename Space>
+Constraint check_alone(const ProblemIn<Space>& problem, const DensePathIn<Space>& dense) {
+  if (Constraint fails{}; !flyable(problem, dense.path, fails)) return fails;
   for (const bool no_fly : {false, true}) {
     for (const PlanarZone& zone : problem.zones) {
       if (zone.no_fly == no_fly && !clear_of(zone, problem.keep_out_m, dense)) {
@@ -51,20 +80,29 @@ Constraint check_alone(const Problem& problem, const DensePath& dense) {
       }
     }
   }
+  if constexpr (Space::kSpatial) {
+    if (problem.terrain && !clear_of(*problem.terrain, problem.terrain_height_m, dense)) return Constraint::Terrain;
+  }
   return Constraint::None;
 }
 
-Constraint check_alone(const Problem& problem, const ph::PlanarPath& path) {
-  const Constraint refuted = refute(problem, path);
-  return refuted != Constraint::None ? refuted : check_alone(problem, sample_densely(problem, path));
+template <typename Space>
+Constraint check_alone(const ProblemIn<Space>& problem, const typename Space::Path& path) {
+  const Constraint refuted = refute<Space>(problem, path);
+  return refuted != Constraint::None ? refuted : check_alone(problem, sample_densely<Space>(problem, path));
 }
 
-Constraint refute(const Problem& problem, const ph::PlanarPath& path) {
-  if (!ph::curvature_within(path, problem.max_curvature_per_m)) return Constraint::Curvature;
+template <typename Space>
+Constraint refute(const ProblemIn<Space>& problem, const typename Space::Path& path) {
+  if (Constraint fails{}; !flyable(problem, path, fails)) return fails;
   const std::int32_t last = problem.options.check_points - 1;
   Constraint found = Constraint::None;
   for (std::int32_t k = 0; k <= last; ++k) {
-    const Vec2 here = path.position(static_cast<double>(k) / static_cast<double>(last));
+    const typename Space::Vec here = path.position(static_cast<double>(k) / static_cast<double>(last));
+    if constexpr (Space::kSpatial) {
+      const bool low = problem.terrain && height_above_m(*problem.terrain, here) < problem.terrain_height_m;
+      if (low && found == Constraint::None) found = Constraint::Terrain;
+    }
     for (const PlanarZone& zone : problem.zones) {
       if (distance_m(zone, here) >= problem.keep_out_m) continue;
       if (!zone.no_fly) return Constraint::Obstacle;
@@ -74,7 +112,8 @@ Constraint refute(const Problem& problem, const ph::PlanarPath& path) {
   return found;
 }
 
-bool keeps_apart(const DensePath& a, const DensePath& b, double separation_m) {
+template <typename Space>
+bool keeps_apart(const DensePathIn<Space>& a, const DensePathIn<Space>& b, double separation_m) {
   if (separation_m <= 0.0) return true;
   const double least = separation_m + (a.sag_m + b.sag_m);
   const double rate = gap_m(a) + gap_m(b);
@@ -86,5 +125,16 @@ bool keeps_apart(const DensePath& a, const DensePath& b, double separation_m) {
   }
   return true;
 }
+
+template DensePathIn<Planar> sample_densely(const ProblemIn<Planar>&, const Planar::Path&);
+template Constraint check_alone(const ProblemIn<Planar>&, const DensePathIn<Planar>&);
+template Constraint check_alone(const ProblemIn<Planar>&, const Planar::Path&);
+template Constraint refute(const ProblemIn<Planar>&, const Planar::Path&);
+template bool keeps_apart(const DensePathIn<Planar>&, const DensePathIn<Planar>&, double);
+template DensePathIn<Spatial> sample_densely(const ProblemIn<Spatial>&, const Spatial::Path&);
+template Constraint check_alone(const ProblemIn<Spatial>&, const DensePathIn<Spatial>&);
+template Constraint check_alone(const ProblemIn<Spatial>&, const Spatial::Path&);
+template Constraint refute(const ProblemIn<Spatial>&, const Spatial::Path&);
+template bool keeps_apart(const DensePathIn<Spatial>&, const DensePathIn<Spatial>&, double);
 
 }  // namespace skein::rendezvous

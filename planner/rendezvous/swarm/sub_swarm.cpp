@@ -5,17 +5,20 @@
 namespace skein::rendezvous {
 namespace {
 
-double velocity_limit_m(const Problem& problem) {
+template <typename Space>
+double velocity_limit_m(const ProblemIn<Space>& problem) {
   return problem.options.velocity_limit * problem.own().range_m.width();
 }
 
-void hash_evaluation(StateHash& hash, const Evaluation& e) {
+template <typename Space>
+void hash_evaluation(StateHash& hash, const EvaluationIn<Space>& e) {
   hash.add(e.controls.m0_m).add(e.controls.m1_m).add(e.own).add(e.modified);
 }
 
 }  // namespace
 
-SubSwarm::SubSwarm(const Problem& problem) {
+template <typename Space>
+SubSwarmIn<Space>::SubSwarmIn(const Problem& problem) {
   const auto count = static_cast<std::size_t>(problem.options.particles);
   particles_.resize(count);
   velocities_.resize(count);
@@ -30,7 +33,8 @@ SubSwarm::SubSwarm(const Problem& problem) {
   elite_ = best_;
 }
 
-void SubSwarm::start(const Problem& problem, std::size_t particle, RandomStream& stream) {
+template <typename Space>
+void SubSwarmIn<Space>::start(const Problem& problem, std::size_t particle, RandomStream& stream) {
   const Interval& range = problem.own().range_m;
   const double limit = velocity_limit_m(problem);
   particles_[particle].controls.m0_m = range.clamp(stream.uniform(range.min, range.max));
@@ -39,8 +43,9 @@ void SubSwarm::start(const Problem& problem, std::size_t particle, RandomStream&
   velocities_[particle].m1_m = stream.uniform(-limit, limit);
 }
 
-void SubSwarm::advance(const Problem& problem, std::span<const PeerPath> peers,
-                       std::optional<double> reference_length_m) {
+template <typename Space>
+void SubSwarmIn<Space>::advance(const Problem& problem, std::span<const PeerPath> peers,
+                                std::optional<double> reference_length_m) {
   refresh(problem, peers, reference_length_m);
   ++generation_;
   const double progress = static_cast<double>(generation_) / static_cast<double>(problem.options.generations);
@@ -56,8 +61,9 @@ void SubSwarm::advance(const Problem& problem, std::span<const PeerPath> peers,
   update_bests();
 }
 
-void SubSwarm::refresh(const Problem& problem, std::span<const PeerPath> peers,
-                       std::optional<double> reference_length_m) {
+template <typename Space>
+void SubSwarmIn<Space>::refresh(const Problem& problem, std::span<const PeerPath> peers,
+                                std::optional<double> reference_length_m) {
   for (Evaluation& particle : particles_) modify(problem, peers, reference_length_m, particle);
   for (Evaluation& best : personal_bests_) modify(problem, peers, reference_length_m, best);
   modify(problem, peers, reference_length_m, best_);
@@ -66,7 +72,8 @@ void SubSwarm::refresh(const Problem& problem, std::span<const PeerPath> peers,
   if (leader->modified < best_.modified) best_ = *leader;
 }
 
-void SubSwarm::move(const Problem& problem, std::size_t particle, double inertia) {
+template <typename Space>
+void SubSwarmIn<Space>::move(const Problem& problem, std::size_t particle, double inertia) {
   const RendezvousOptions& options = problem.options;
   const std::uint64_t index = static_cast<std::uint64_t>(generation_) * particles_.size() + particle;
   RandomStream stream(problem.seed, problem.own().id, Purpose::SwarmMove, index);
@@ -87,18 +94,21 @@ void SubSwarm::move(const Problem& problem, std::size_t particle, double inertia
   }
 }
 
-void SubSwarm::keep_elite() {
+template <typename Space>
+void SubSwarmIn<Space>::keep_elite() {
   *std::ranges::max_element(particles_, {}, &Evaluation::modified) = elite_;
 }
 
-void SubSwarm::update_bests() {
+template <typename Space>
+void SubSwarmIn<Space>::update_bests() {
   for (std::size_t j = 0; j < particles_.size(); ++j) {
     if (particles_[j].modified < personal_bests_[j].modified) personal_bests_[j] = particles_[j];
     if (particles_[j].modified < best_.modified) best_ = particles_[j];
   }
 }
 
-void SubSwarm::add_to(StateHash& hash) const {
+template <typename Space>
+void SubSwarmIn<Space>::add_to(StateHash& hash) const {
   hash.add(generation_).add(particles_.size());
   for (const Evaluation& particle : particles_) hash_evaluation(hash, particle);
   for (const ph::Controls& velocity : velocities_) hash.add(velocity.m0_m).add(velocity.m1_m);
@@ -106,5 +116,8 @@ void SubSwarm::add_to(StateHash& hash) const {
   hash_evaluation(hash, best_);
   hash_evaluation(hash, own_best_);
 }
+
+template class SubSwarmIn<Planar>;
+template class SubSwarmIn<Spatial>;
 
 }  // namespace skein::rendezvous

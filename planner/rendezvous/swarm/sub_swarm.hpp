@@ -21,10 +21,15 @@
 
 namespace skein::rendezvous {
 
-class SubSwarm {
+template <typename Space>
+class SubSwarmIn {
  public:
+  using Problem = ProblemIn<Space>;
+  using Evaluation = EvaluationIn<Space>;
+  using PeerPath = PeerPathIn<Space>;
+
   /// Generation 0: random particles, judged by their own cost.
-  explicit SubSwarm(const Problem& problem);
+  explicit SubSwarmIn(const Problem& problem);
 
   /// The next generation. `peers`: the representatives of the generation before. `reference_length_m`: the length that
   /// Eq. 16 pulls to, or nothing while this UAV is the reference itself.
@@ -53,5 +58,7 @@ class SubSwarm {
   Evaluation own_best_;
   Evaluation elite_;  ///< best particle of the generation before
 };
+
+using SubSwarm = SubSwarmIn<Planar>;
 
 }  // namespace skein::rendezvous

@@ -64,6 +64,33 @@ Mission layout_b(std::uint64_t seed) {
   return mission;
 }
 
+Mission open_space(std::uint64_t seed) {
+  Mission mission = open_field(seed);
+  mission.name = "open-space";
+  mission.formation.position_m.z() = 3000.0;
+  mission.formation.heading_rad = math::kPi / 9.0;
+  const double heights_km[] = {2.3, 2.0, 3.3};
+  const double climbs_rad[] = {math::kPi / 12.0, math::kPi / 8.0, -math::kPi / 7.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    mission.vehicles[i].start.position_m.z() = 1000.0 * heights_km[i];
+    mission.vehicles[i].start.climb_rad = climbs_rad[i];
+    mission.vehicles[i].max_torsion_per_m = 0.002;
+  }
+  return mission;
+}
+
+Mission layout_space(std::uint64_t seed) {
+  Mission mission = open_space(seed);
+  mission.name = "layout-space";
+  mission.zones = {circle_km(11.0, 6.0, 2.0), circle_km(6.5, 17.5, 3.0), rectangle_km(20.0, 25.0, 2.0, 6.0),
+                   rectangle_km(14.0, 20.0, 18.0, 20.0), rectangle_km(10.0, 18.0, 8.0, 12.0)};
+  std::get<Cylinder>(mission.zones[0].shape).z_max_m = 4000.0;
+  std::get<Cylinder>(mission.zones[1].shape).z_max_m = 2800.0;
+  std::get<Box>(mission.zones[4].shape).min_m.z() = 3400.0;
+  mission.terrain = Terrain{0.5, -1.15, 0.5, 3.42, 0.6, 0.327, 0.5, 0.08, 0.05, 1000.0};
+  return mission;
+}
+
 Mission as_points(Mission mission) {
   for (VehicleSpec& spec : mission.vehicles) spec.radius_m = 0.0;
   mission.planner.clearance_margin_m = 0.0;

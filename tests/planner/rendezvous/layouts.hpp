@@ -17,6 +17,15 @@ namespace skein::test {
 [[nodiscard]] Mission layout_a(std::uint64_t seed);
 [[nodiscard]] Mission layout_b(std::uint64_t seed);
 
+/// In space, without zones: heights 2.3, 2 and 3.3 km, climbs pi/12, pi/8 and -pi/7, slots at 3 km, formation heading
+/// pi/9; torsion at most 2 per km.
+[[nodiscard]] Mission open_space(std::uint64_t seed);
+
+/// Open space with A's circles, up to 4 and 2.8 km, A's rectangles of any height, a box over [10, 18] x [8, 12] from
+/// 3.4 km up, and hills of up to 2.1 km near (9, 17), under the dive of UAV 3. Its unobstructed path crosses the second
+/// cylinder.
+[[nodiscard]] Mission layout_space(std::uint64_t seed);
+
 /// The same with points for vehicles and no margin: the figures of the paper.
 [[nodiscard]] Mission as_points(Mission mission);
 

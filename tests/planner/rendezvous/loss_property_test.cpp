@@ -12,15 +12,16 @@ namespace {
 
 void expect_one_length(const test::SwarmRun& run) {
   ASSERT_TRUE(run.all(PlanStatus::Ready));
-  const double length_m = run.planners[0].path().length_m();
+  const double length_m = run.planners[0].path_length_m();
   for (const Planner& planner : run.planners) {
-    EXPECT_NEAR(planner.path().length_m(), length_m, 1e-9 * length_m);
-    EXPECT_EQ(check_alone(planner.problem(), planner.path()), Constraint::None);
-    const DensePath own = sample_densely(planner.problem(), planner.path());
+    EXPECT_NEAR(planner.path_length_m(), length_m, 1e-9 * length_m);
+    EXPECT_EQ(check_alone(planner.planar().problem(), planner.planar().path()), Constraint::None);
+    const DensePath own = sample_densely(planner.planar().problem(), planner.planar().path());
     for (const Planner& other : run.planners) {
       if (&other == &planner) continue;
-      const DensePath dense = sample_densely(planner.problem(), other.path());
-      EXPECT_TRUE(keeps_apart(own, dense, required_separation_m(planner.problem().own(), other.problem().own())));
+      const DensePath dense = sample_densely(planner.planar().problem(), other.planar().path());
+      EXPECT_TRUE(keeps_apart(own, dense,
+                              required_separation_m(planner.planar().problem().own(), other.planar().problem().own())));
     }
   }
 }

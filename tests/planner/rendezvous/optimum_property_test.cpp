@@ -34,7 +34,7 @@ void expect_near_optimum(Mission (*layout)(std::uint64_t)) {
     ASSERT_TRUE(run.all(PlanStatus::Ready)) << "seed " << seed;
     const double length_m = run.longest_m();
     for (const Planner& planner : run.planners) {
-      ASSERT_NEAR(planner.path().length_m(), length_m, 1e-9 * length_m) << "seed " << seed;
+      ASSERT_NEAR(planner.path_length_m(), length_m, 1e-9 * length_m) << "seed " << seed;
     }
     if (std::fabs(length_m - oracle.length_m) <= 0.0012 * oracle.length_m) ++near;
   }
@@ -47,6 +47,10 @@ TEST(OptimumProperty, LayoutA) {
 }
 TEST(OptimumProperty, LayoutB) {
   expect_near_optimum(test::layout_b);
+}
+
+TEST(OptimumProperty, LayoutInSpace) {
+  expect_near_optimum(test::layout_space);
 }
 
 TEST(OptimumProperty, TheOracleFindsThePapersFigures) {

@@ -27,21 +27,21 @@ TEST(Planner, FirstRoundIsGenerationZeroAndReadsNoPeers) {
   EXPECT_EQ(round.representative.stage, PlanStage::Searching);
   EXPECT_EQ(round.representative.particle.size(), 2U);
   EXPECT_EQ(round.representative.path_length_m, round.representative.own_length_m);
-  EXPECT_THROW((void)planner.path(), std::logic_error);
+  EXPECT_THROW((void)planner.path_length_m(), std::logic_error);
 }
 
 TEST(Planner, ThreeUavsAgreeOnOneLength) {
   const test::SwarmRun run = test::run_swarm(test::layout_a(1));
   ASSERT_TRUE(run.all(PlanStatus::Ready));
-  const double length_m = run.planners[0].path().length_m();
+  const double length_m = run.planners[0].path_length_m();
   EXPECT_LT(length_m, 35100.0);
   for (const Planner& planner : run.planners) {
-    EXPECT_NEAR(planner.path().length_m(), length_m, 1e-9 * length_m);
-    const DensePath dense = sample_densely(planner.problem(), planner.path());
-    EXPECT_EQ(check_alone(planner.problem(), dense), Constraint::None);
+    EXPECT_NEAR(planner.path_length_m(), length_m, 1e-9 * length_m);
+    const DensePath dense = sample_densely(planner.planar().problem(), planner.planar().path());
+    EXPECT_EQ(check_alone(planner.planar().problem(), dense), Constraint::None);
     for (const Planner& other : run.planners) {
       if (&other == &planner) continue;
-      EXPECT_TRUE(keeps_apart(dense, sample_densely(planner.problem(), other.path()), 200.0));
+      EXPECT_TRUE(keeps_apart(dense, sample_densely(planner.planar().problem(), other.planar().path()), 200.0));
     }
   }
   for (const PlanRound& round : run.last) {
@@ -102,7 +102,7 @@ TEST(Planner, FailsTogetherAndNamesTheConstraint) {
   EXPECT_EQ(run.last[1].failed_peer, 0U);
   EXPECT_EQ(run.last[0].failed_constraint, Constraint::Obstacle);
   EXPECT_EQ(run.last[0].failed_peer, 2U);
-  EXPECT_THROW((void)run.planners[0].path(), std::logic_error);
+  EXPECT_THROW((void)run.planners[0].path_length_m(), std::logic_error);
 }
 
 void expect_refused(const std::function<void(std::vector<Representative>&)>& spoil, const char* said) {

@@ -13,7 +13,7 @@ bool SwarmRun::all(PlanStatus status) const {
 
 double SwarmRun::longest_m() const {
   double longest = 0.0;
-  for (const auto& planner : planners) longest = std::max(longest, planner.path().length_m());
+  for (const auto& planner : planners) longest = std::max(longest, planner.path_length_m());
   return longest;
 }
 

@@ -1,0 +1,34 @@
+// The two spaces that a rendezvous is planned in: what a point, a path and an interpolant are there.
+//
+// Cost, swarm and alignment are written once over a `Space` and instantiated for both, so that a planar problem pays
+// nothing for the third axis. The header of each declares the templates; aliases without `In` name the planar ones.
+// Source: papers/001, sections 4.1 and 4.2. Departs from source: none. Complexity: none.
+#pragma once
+
+#include <span>
+#include <type_traits>
+
+#include "planner/rendezvous/ph/hermite.hpp"
+#include "planner/rendezvous/ph/spatial_hermite.hpp"
+
+namespace skein::rendezvous {
+
+struct Planar {
+  using Vec = Vec2;
+  using Path = ph::PlanarPath;
+  using Hermite = ph::Hermite;
+  static constexpr bool kSpatial = false;
+};
+
+struct Spatial {
+  using Vec = Vec3;
+  using Path = ph::SpatialPath;
+  using Hermite = ph::SpatialHermite;
+  static constexpr bool kSpatial = true;
+};
+
+/// A view that takes no part in the deduction of the space, so that vectors and empty braces convert to it.
+template <typename T>
+using View = std::type_identity_t<std::span<const T>>;
+
+}  // namespace skein::rendezvous
