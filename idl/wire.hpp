@@ -21,6 +21,7 @@ inline constexpr std::uint32_t kWireVersion = 1;
 using v1::Area;
 using v1::Beacon;
 using v1::DirectedPoint;
+using v1::Ground;
 using v1::Header;
 using v1::Lack;
 using v1::LiveAgent;

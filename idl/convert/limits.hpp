@@ -9,6 +9,7 @@ inline constexpr double kClimb_rad = 1.5708;  ///< straight up, rounded up
 inline constexpr double kSpeed_mps = 1e4;
 inline constexpr double kLength_m = 1e9;
 inline constexpr double kCurvature_per_m = 1e4;
+inline constexpr double kTerrain = 1e4;  ///< constants of Eq. 13
 inline constexpr double kTime_s = 1e9;
 inline constexpr double kStep_s = 3600.0;
 inline constexpr double kParticle = 1e10;

@@ -1,3 +1,4 @@
+#include <array>
 #include <utility>
 
 #include "idl/convert/checker.hpp"
@@ -20,6 +21,7 @@ wire::Vehicle wire_vehicle(const VehicleSpec& spec) {
   out.max_curvature_per_m(spec.max_curvature_per_m);
   out.radius_m(spec.radius_m);
   out.safety_radius_m(spec.safety_radius_m);
+  out.max_torsion_per_m(spec.max_torsion_per_m);
   return out;
 }
 
@@ -33,6 +35,7 @@ VehicleSpec plain_vehicle(const wire::Vehicle& vehicle) {
   out.max_curvature_per_m = vehicle.max_curvature_per_m();
   out.radius_m = vehicle.radius_m();
   out.safety_radius_m = vehicle.safety_radius_m();
+  out.max_torsion_per_m = vehicle.max_torsion_per_m();
   return out;
 }
 
@@ -45,6 +48,37 @@ void check_vehicle(Checker& check, const wire::Vehicle& vehicle) {
   check.within(vehicle.max_curvature_per_m(), 0.0, limits::kCurvature_per_m, "mission.vehicles.max_curvature_per_m");
   check.within(vehicle.radius_m(), 0.0, limits::kPosition_m, "mission.vehicles.radius_m");
   check.within(vehicle.safety_radius_m(), 0.0, limits::kPosition_m, "mission.vehicles.safety_radius_m");
+  check.within(vehicle.max_torsion_per_m(), 0.0, limits::kCurvature_per_m, "mission.vehicles.max_torsion_per_m");
+}
+
+/// The constants of a terrain, on both sides alike.
+constexpr std::array kConstants{&Terrain::a, &Terrain::b, &Terrain::c, &Terrain::d, &Terrain::e,
+                                &Terrain::f, &Terrain::g, &Terrain::h, &Terrain::l};
+
+std::array<double, kConstants.size()> constants_of(const wire::Ground& ground) {
+  return {ground.a(), ground.b(), ground.c(), ground.d(), ground.e(), ground.f(), ground.g(), ground.h(), ground.l()};
+}
+
+wire::Ground wire_terrain(const Terrain& terrain) {
+  wire::Ground out;
+  out.a(terrain.a);
+  out.b(terrain.b);
+  out.c(terrain.c);
+  out.d(terrain.d);
+  out.e(terrain.e);
+  out.f(terrain.f);
+  out.g(terrain.g);
+  out.h(terrain.h);
+  out.l(terrain.l);
+  return out;
+}
+
+Terrain plain_terrain(const wire::Ground& ground, double unit_m) {
+  Terrain out;
+  const auto constants = constants_of(ground);
+  for (std::size_t i = 0; i < kConstants.size(); ++i) out.*kConstants[i] = constants[i];
+  out.unit_m = unit_m;
+  return out;
 }
 
 wire::Area wire_area(const Zone& zone) {
@@ -103,6 +137,12 @@ void check_scalars(Checker& check, const wire::Mission& sample) {
   check.within(sample.arrival_radius_m(), 0.0, limits::kPosition_m, "mission.arrival_radius_m");
   check.size_at_most(sample.vehicles().size(), wire::kMaxVehicles, "mission.vehicles");
   check.size_at_most(sample.zones().size(), wire::kMaxZones, "mission.zones");
+  check.size_at_most(sample.terrain().size(), 1, "mission.terrain");
+  for (const wire::Ground& ground : sample.terrain()) {
+    for (const double constant : constants_of(ground)) {
+      check.within(constant, -limits::kTerrain, limits::kTerrain, "mission.terrain");
+    }
+  }
   check.require(!sample.vehicles().empty(), WireFaultReason::BadMission, "mission.vehicles");
 }
 
@@ -123,6 +163,7 @@ wire::Mission to_wire(const Mission& mission, const Stamp& stamp) {
   out.arrival_radius_m(mission.arrival_radius_m);
   for (const VehicleSpec& vehicle : mission.vehicles) out.vehicles().push_back(wire_vehicle(vehicle));
   for (const Zone& zone : mission.zones) out.zones().push_back(wire_area(zone));
+  if (mission.terrain) out.terrain().push_back(wire_terrain(*mission.terrain));
   out.planner(wire_options(mission.planner));
   return out;
 }
@@ -153,6 +194,7 @@ Checked<Mission> from_wire(const wire::Mission& sample, const WireContext& conte
   out.arrival_radius_m = sample.arrival_radius_m();
   for (const wire::Vehicle& vehicle : sample.vehicles()) out.vehicles.push_back(plain_vehicle(vehicle));
   for (const wire::Area& area : sample.zones()) out.zones.push_back(plain_zone(area));
+  for (const wire::Ground& ground : sample.terrain()) out.terrain = plain_terrain(ground, out.length_unit_m);
   return out;
 }
 

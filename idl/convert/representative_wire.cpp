@@ -26,7 +26,7 @@ Checked<Representative> from_wire(const wire::Representative& sample, const Wire
   check.run(sample.head().run(), "representative.head.run");
   check.incarnation(sample.agent(), sample.head().incarnation(), std::nullopt, "representative.head.incarnation");
   check.enumerator(sample.stage(), PlanStage::Searching, PlanStage::Settled, "representative.stage");
-  check.enumerator(sample.violated(), Constraint::None, Constraint::Length, "representative.violated");
+  check.enumerator(sample.violated(), Constraint::None, Constraint::Terrain, "representative.violated");
   check.size_at_most(sample.particle().size(), wire::kMaxParticle, "representative.particle");
   check.require(context.particle_size == 0 || sample.particle().size() == context.particle_size,
                 WireFaultReason::OutOfRange, "representative.particle");

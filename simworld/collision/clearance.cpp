@@ -54,4 +54,12 @@ double clearance_m(const Motion& motion, const Zone& zone) {
   return least_m;
 }
 
+double clearance_m(const Motion& motion, const Terrain& terrain) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 1; p < kMotionPoints; ++p) {
+    least_m = std::min(least_m, least_height_above_m(terrain, motion.points_m[p - 1], motion.points_m[p]));
+  }
+  return least_m / tilt_of(terrain);
+}
+
 }  // namespace skein

@@ -12,4 +12,8 @@ namespace skein {
 /// Least signed distance in metres from the motion of a centre to the zone's surface; negative inside.
 [[nodiscard]] double clearance_m(const Motion& motion, const Zone& zone);
 
+/// At most the least distance in metres from the motion of a centre to the ground, and, but for its curvature between
+/// the points of the motion, at least that part of the height above it which its steepest slope leaves.
+[[nodiscard]] double clearance_m(const Motion& motion, const Terrain& terrain);
+
 }  // namespace skein

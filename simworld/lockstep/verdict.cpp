@@ -17,6 +17,8 @@ std::string describe(const Contact& contact, const Mission& mission) {
     case ContactKind::NearMiss:
       return fmt::format("vehicles {} and {} came within their safety radii at step {} ({:.1f} m apart)",
                          contact.vehicle, contact.other, contact.step, contact.distance_m);
+    case ContactKind::Terrain:
+      return fmt::format("vehicle {} touched the terrain at step {}", contact.vehicle, contact.step);
     default:
       return fmt::format("vehicle {} touched {} {} at step {}", contact.vehicle,
                          mission.zones[contact.other].no_fly ? "no-fly zone" : "obstacle", contact.other, contact.step);

@@ -44,6 +44,7 @@ Json vehicles_of(const Run& run) {
                     {"arrival_step", arrived ? Json(vehicle.arrival_step) : Json(nullptr)},
                     {"arrival_time_s", arrived ? Json(vehicle.arrival_time_s) : Json(nullptr)},
                     {"max_curvature_per_m", vehicle.max_curvature_per_m},
+                    {"max_torsion_per_m", vehicle.max_torsion_per_m},
                     {"status", name_of(vehicle.status)},
                     {"reason", vehicle_reason(vehicle, run)}});
   }
@@ -117,8 +118,8 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["planner"] = scenario.mission.planner.name;
   report["steps"] = run.steps_flown();
   report["rounds"] = run.planning_rounds();
-  report["collisions"] =
-      world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) + world.count(ContactKind::NoFly);
+  report["collisions"] = world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) +
+                         world.count(ContactKind::NoFly) + world.count(ContactKind::Terrain);
   report["near_misses"] = world.count(ContactKind::NearMiss);
   report["min_separation_m"] = or_null(world.min_separation_m());
   report["min_clearance_m"] = or_null(world.min_clearance_m());

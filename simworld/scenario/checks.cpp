@@ -12,15 +12,11 @@ namespace {
 /// What is checked the same way: the starts, then the slots in the world frame.
 struct Spots {
   std::string_view what;
-  std::vector<Vec2> at_m;
+  std::vector<Vec3> at_m;
   const std::vector<Place>& places;
 };
 
-double length(const Vec2& v) {
-  return std::sqrt(v.x() * v.x() + v.y() * v.y());
-}
-
-double distance_to(const Zone& zone, const Vec2& point_m) {
+double distance_to(const Zone& zone, const Vec3& point_m) {
   return std::visit([&](const auto& shape) { return signed_distance(point_m, shape); }, zone.shape);
 }
 
@@ -29,7 +25,7 @@ void check_separation(const Mission& mission, const Spots& spots) {
     for (std::size_t i = 0; i < j; ++i) {
       const VehicleSpec& a = mission.vehicles[i];
       const VehicleSpec& b = mission.vehicles[j];
-      const double apart_m = length(spots.at_m[i] - spots.at_m[j]);
+      const double apart_m = (spots.at_m[i] - spots.at_m[j]).norm();
       const double least_m = a.safety_radius_m + b.safety_radius_m;
       if (apart_m >= least_m) continue;
       const Place& place = spots.places[i].set_key.empty() ? spots.places[j] : spots.places[i];
@@ -57,21 +53,38 @@ void check_clearance(const Mission& mission, const Spots& spots) {
   }
 }
 
+void check_height(const Mission& mission, const Spots& spots) {
+  const double tilt = tilt_of(*mission.terrain);
+  for (std::size_t i = 0; i < spots.at_m.size(); ++i) {
+    const VehicleSpec& vehicle = mission.vehicles[i];
+    const double height_m = height_above_m(*mission.terrain, spots.at_m[i]);
+    if (height_m > vehicle.radius_m * tilt) continue;
+    throw ReadFault(spots.places[i], fmt::format("the {} of vehicle {} is {} m {} the terrain; allowed: more than {} m "
+                                                 "above it, its radius on the steepest slope",
+                                                 spots.what, vehicle.id, std::fabs(height_m),
+                                                 height_m < 0.0 ? "below" : "above", vehicle.radius_m * tilt));
+  }
+}
+
 }  // namespace
 
 void check_mission(const Mission& mission, const Places& places) {
   Spots starts{"start", {}, places.starts};
   Spots slots{"slot", {}, places.slots};
   for (const VehicleSpec& vehicle : mission.vehicles) {
-    starts.at_m.emplace_back(vehicle.start.position_m.head<2>());
-    slots.at_m.emplace_back(slot_pose(mission, vehicle).position_m.head<2>());
+    starts.at_m.push_back(vehicle.start.position_m);
+    slots.at_m.push_back(slot_pose(mission, vehicle).position_m);
   }
   check_separation(mission, starts);
   check_separation(mission, slots);
   check_clearance(mission, starts);
   check_clearance(mission, slots);
+  if (mission.terrain) {
+    check_height(mission, starts);
+    check_height(mission, slots);
+  }
   for (std::size_t i = 0; i < mission.vehicles.size(); ++i) {
-    const double apart_m = length(starts.at_m[i] - slots.at_m[i]);
+    const double apart_m = (starts.at_m[i] - slots.at_m[i]).norm();
     if (apart_m > mission.arrival_radius_m) continue;
     throw ReadFault(places.starts[i],
                     fmt::format("vehicle {} starts {} m from its slot; allowed: more than arrival_radius_m, {} m",

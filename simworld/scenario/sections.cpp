@@ -15,19 +15,22 @@ namespace {
 
 using Keys = std::string_view;
 constexpr Keys kRoot[] = {"name",     "kind",      "seed",      "length_unit_m", "step_s",  "arrival_radius_m",
-                          "vehicles", "formation", "obstacles", "no_fly",        "planner", "lockstep",
-                          "world"};
-constexpr Keys kVehicles[] = {"type",          "speed_mps", "max_curvature_per_m", "radius_m", "safety_radius_m",
-                              "on_agent_loss", "starts"};
-constexpr Keys kStart[] = {"id", "x_m", "y_m", "heading_rad"};
-constexpr Keys kFormation[] = {"x_m", "y_m", "heading_rad", "slots"};
-constexpr Keys kSlot[] = {"id", "x_m", "y_m"};
-constexpr Keys kCircle[] = {"x_m", "y_m", "radius_m"};
-constexpr Keys kRectangle[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m"};
+                          "vehicles", "formation", "obstacles", "no_fly",        "terrain", "planner",
+                          "lockstep", "world"};
+constexpr Keys kVehicles[] = {"type",     "speed_mps",       "max_curvature_per_m", "max_torsion_per_m",
+                              "radius_m", "safety_radius_m", "on_agent_loss",       "starts"};
+constexpr Keys kStart[] = {"id", "x_m", "y_m", "z_m", "heading_rad", "climb_rad"};
+constexpr Keys kFormation[] = {"x_m", "y_m", "z_m", "heading_rad", "slots"};
+constexpr Keys kSlot[] = {"id", "x_m", "y_m", "z_m"};
+constexpr Keys kCylinder[] = {"x_m", "y_m", "radius_m", "z_min_m", "z_max_m"};
+constexpr Keys kBox[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m", "z_max_m"};
+constexpr Keys kTerrain[] = {"a", "b", "c", "d", "e", "f", "g", "h", "l"};
 constexpr Keys kLockstep[] = {"deadline_s"};
 constexpr Keys kWorld[] = {"max_steps", "max_rounds"};
 
 constexpr Limits kCoordinate{-1e7, 1e7, "m"};
+constexpr Limits kHeight{-kUnboundedZ_m, kUnboundedZ_m, "m"};
+constexpr Limits kClimb{-1.5707963267948966, 1.5707963267948966, "rad"};
 constexpr Limits kHeading{-6.283185307179586, 6.283185307179586, "rad"};
 constexpr Limits kExtent{1e-3, 1e6, "m"};
 constexpr std::size_t kMaxZones = 256;  // of each list
@@ -41,6 +44,12 @@ constexpr auto kPlannerKeys = [] {
 
 AgentId read_id(const MapReader& reader) {
   return static_cast<AgentId>(reader.whole("id", 1, kMaxAgents));
+}
+
+Vec3 read_point(const MapReader& reader) {
+  const double x_m = reader.number("x_m", kCoordinate);
+  const double y_m = reader.number("y_m", kCoordinate);
+  return {x_m, y_m, reader.number("z_m", kHeight, 0.0)};
 }
 
 void read_head(const MapReader& root, Mission& mission) {
@@ -65,6 +74,8 @@ VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
   spec.max_curvature_per_m = vehicles.number("max_curvature_per_m", {1e-6, 10, "per m"});
   spec.radius_m = vehicles.number("radius_m", {1e-3, 1000, "m"});
   spec.safety_radius_m = vehicles.number("safety_radius_m", {1e-3, 1e5, "m"});
+  spec.max_torsion_per_m =
+      vehicles.number("max_torsion_per_m", {1e-6, kUnlimitedTorsion_per_m, "per m"}, kUnlimitedTorsion_per_m);
   if (spec.safety_radius_m < spec.radius_m) {
     vehicles.refuse("safety_radius_m", fmt::format("at least vehicles.radius_m, {} m", spec.radius_m));
   }
@@ -87,8 +98,9 @@ std::map<AgentId, Placed> read_starts(const MapReader& vehicles, const VehicleSp
     const MapReader item = vehicles.item("starts", i, kStart);
     Placed vehicle{common, place_of_item(items[i]), {}};
     vehicle.spec.id = read_id(item);
-    vehicle.spec.start.position_m = Vec3(item.number("x_m", kCoordinate), item.number("y_m", kCoordinate), 0.0);
+    vehicle.spec.start.position_m = read_point(item);
     vehicle.spec.start.heading_rad = item.number("heading_rad", kHeading);
+    vehicle.spec.start.climb_rad = item.number("climb_rad", kClimb, 0.0);
     if (!placed.emplace(vehicle.spec.id, vehicle).second) item.refuse("id", "an id that no other start has");
   }
   return placed;
@@ -101,7 +113,7 @@ void read_slots(const MapReader& formation, std::map<AgentId, Placed>& placed) {
     const auto found = placed.find(read_id(item));
     if (found == placed.end()) item.refuse("id", "the id of one of vehicles.starts");
     if (found->second.has_slot) item.refuse("id", "an id that no other slot has");
-    found->second.spec.slot_offset_m = Vec3(item.number("x_m", kCoordinate), item.number("y_m", kCoordinate), 0.0);
+    found->second.spec.slot_offset_m = read_point(item);
     found->second.slot = place_of_item(items[i]);
     found->second.has_slot = true;
   }
@@ -112,25 +124,58 @@ void read_slots(const MapReader& formation, std::map<AgentId, Placed>& placed) {
   }
 }
 
-void read_zones(const MapReader& root, std::vector<Zone>& zones) {
-  const std::size_t circles = root.list("obstacles", kMaxZones, false).size();
-  for (std::size_t i = 0; i < circles; ++i) {
-    const MapReader item = root.item("obstacles", i, kCircle);
-    Cylinder circle;
-    circle.centre_m = Vec2(item.number("x_m", kCoordinate), item.number("y_m", kCoordinate));
-    circle.radius_m = item.number("radius_m", kExtent);
-    zones.push_back({circle, false});
+void read_heights(const MapReader& item, double& z_min_m, double& z_max_m) {
+  z_min_m = item.number("z_min_m", kHeight, z_min_m);
+  z_max_m = item.number("z_max_m", kHeight, z_max_m);
+  if (z_max_m <= z_min_m) item.refuse("z_max_m", fmt::format("more than z_min_m, {} m", z_min_m));
+}
+
+Cylinder read_cylinder(const MapReader& item) {
+  Cylinder cylinder;
+  const double x_m = item.number("x_m", kCoordinate);
+  cylinder.centre_m = Vec2(x_m, item.number("y_m", kCoordinate));
+  cylinder.radius_m = item.number("radius_m", kExtent);
+  read_heights(item, cylinder.z_min_m, cylinder.z_max_m);
+  return cylinder;
+}
+
+Box read_box(const MapReader& item) {
+  Box box;
+  const double x_min_m = item.number("x_min_m", kCoordinate);
+  box.min_m.head<2>() = Vec2(x_min_m, item.number("y_min_m", kCoordinate));
+  const double x_max_m = item.number("x_max_m", kCoordinate);
+  box.max_m.head<2>() = Vec2(x_max_m, item.number("y_max_m", kCoordinate));
+  if (box.max_m.x() <= box.min_m.x()) item.refuse("x_max_m", fmt::format("more than x_min_m, {} m", box.min_m.x()));
+  if (box.max_m.y() <= box.min_m.y()) item.refuse("y_max_m", fmt::format("more than y_min_m, {} m", box.min_m.y()));
+  read_heights(item, box.min_m.z(), box.max_m.z());
+  return box;
+}
+
+/// Obstacles are cylinders, or boxes if they have x_min_m; no-fly zones are boxes, or cylinders if they have radius_m.
+void read_zones(const MapReader& root, std::string_view list, bool no_fly, std::vector<Zone>& zones) {
+  const std::span<const YamlNode> items = root.list(list, kMaxZones, false);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool is_box = no_fly ? items[i].find("radius_m") == nullptr : items[i].find("x_min_m") != nullptr;
+    const MapReader item = is_box ? root.item(list, i, kBox) : root.item(list, i, kCylinder);
+    if (is_box) {
+      zones.push_back({read_box(item), no_fly});
+    } else {
+      zones.push_back({read_cylinder(item), no_fly});
+    }
   }
-  const std::size_t rectangles = root.list("no_fly", kMaxZones, false).size();
-  for (std::size_t i = 0; i < rectangles; ++i) {
-    const MapReader item = root.item("no_fly", i, kRectangle);
-    Box box;
-    box.min_m.head<2>() = Vec2(item.number("x_min_m", kCoordinate), item.number("y_min_m", kCoordinate));
-    box.max_m.head<2>() = Vec2(item.number("x_max_m", kCoordinate), item.number("y_max_m", kCoordinate));
-    if (box.max_m.x() <= box.min_m.x()) item.refuse("x_max_m", fmt::format("more than x_min_m, {} m", box.min_m.x()));
-    if (box.max_m.y() <= box.min_m.y()) item.refuse("y_max_m", fmt::format("more than y_min_m, {} m", box.min_m.y()));
-    zones.push_back({box, true});
-  }
+}
+
+/// Eq. 13 with its lengths in the mission's length unit; nothing if the section is left out.
+std::optional<Terrain> read_terrain(const MapReader& root, double length_unit_m) {
+  if (root.find("terrain") == nullptr) return std::nullopt;
+  constexpr Limits kConstant{-1000, 1000};
+  const MapReader terrain = root.map("terrain", kTerrain, false);
+  Terrain out;
+  double Terrain::*members[] = {&Terrain::a, &Terrain::b, &Terrain::c, &Terrain::d, &Terrain::e,
+                                &Terrain::f, &Terrain::g, &Terrain::h, &Terrain::l};
+  for (std::size_t i = 0; i < std::size(members); ++i) out.*members[i] = terrain.number(kTerrain[i], kConstant, 0.0);
+  out.unit_m = length_unit_m;
+  return out;
 }
 
 void read_planner(const MapReader& planner, RendezvousOptions& options) {
@@ -161,10 +206,12 @@ Places read_sections(const YamlNode& root_node, Scenario& into) {
 
   std::map<AgentId, Placed> placed = read_starts(vehicles, read_vehicle_type(vehicles, into.world));
   Pose& pose = into.mission.formation;
-  pose.position_m = Vec3(formation.number("x_m", kCoordinate), formation.number("y_m", kCoordinate), 0.0);
+  pose.position_m = read_point(formation);
   pose.heading_rad = formation.number("heading_rad", kHeading);
   read_slots(formation, placed);
-  read_zones(root, into.mission.zones);
+  read_zones(root, "obstacles", false, into.mission.zones);
+  read_zones(root, "no_fly", true, into.mission.zones);
+  into.mission.terrain = read_terrain(root, into.mission.length_unit_m);
   read_planner(root.map("planner", kPlannerKeys, false), into.mission.planner);
   into.lockstep.deadline_s = lockstep.number("deadline_s", {0.1, 3600, "s"}, into.lockstep.deadline_s);
   into.world.max_steps = static_cast<std::uint32_t>(world.whole("max_steps", 1, kMostSteps, into.world.max_steps));

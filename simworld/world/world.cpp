@@ -1,14 +1,28 @@
 #include "simworld/world/world.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "planner/core/geometry/frames.hpp"
+#include "planner/core/math/det_math.hpp"
 #include "simworld/collision/clearance.hpp"
 
 namespace skein {
+namespace {
+
+/// Turn of a step (rad) below which its plane is not defined well enough to tell a torsion.
+constexpr double kLeastTurn_rad = 1e-4;
+
+/// Angle (rad) between the planes of two turns, per way of one step.
+double torsion_per_m(const Vec3& before, const Vec3& now, double length_m) {
+  if (std::min(before.norm(), now.norm()) < kLeastTurn_rad) return 0.0;
+  return math::atan2(before.cross(now).norm(), std::fabs(before.dot(now))) / length_m;
+}
+
+}  // namespace
 
 std::string_view name_of(VehicleStatus status) {
   constexpr std::array<std::string_view, 6> kNames{"", "flying", "arrived", "missed", "removed", "adrift"};
@@ -19,6 +33,7 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss)
     : step_s_(mission.step_s),
       arrival_radius_m_(mission.arrival_radius_m),
       zones_(mission.zones),
+      terrain_(mission.terrain),
       on_agent_loss_(on_agent_loss) {
   if (mission.vehicles.empty()) throw std::invalid_argument("a world needs at least one vehicle");
   if (!(step_s_ > 0.0)) throw std::invalid_argument("step_s must be positive");
@@ -33,6 +48,7 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss)
   touching_.resize(vehicles_.size() * vehicles_.size());
   near_.resize(vehicles_.size() * vehicles_.size());
   in_zone_.resize(vehicles_.size() * zones_.size());
+  grounded_.resize(vehicles_.size());
 }
 
 std::size_t World::index_of(AgentId id) const {
@@ -69,6 +85,7 @@ void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands
   }
   check_vehicles(step);
   check_zones(step);
+  if (terrain_) check_terrain(step);
 }
 
 void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* command) {
@@ -76,6 +93,11 @@ void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* comman
   const Vec3 wanted = command != nullptr ? command->velocity_mps : vehicle.state.velocity_mps;
   const VehicleStep moved = advance_constant_speed(vehicle.spec, vehicle.state, wanted, step_s_);
   motions_[i] = moved.motion;
+  const Vec3 turn =
+      vehicle.state.velocity_mps.cross(moved.after.velocity_mps) / vehicle.state.velocity_mps.squaredNorm();
+  vehicle.max_torsion_per_m =
+      std::max(vehicle.max_torsion_per_m, torsion_per_m(vehicle.turn, turn, moved.motion.length_m));
+  vehicle.turn = turn;
   vehicle.state = moved.after;
   vehicle.flown_m += moved.motion.length_m;
   vehicle.max_curvature_per_m = std::max(vehicle.max_curvature_per_m, moved.motion.curvature_per_m);
@@ -140,6 +162,16 @@ void World::check_zones(std::uint32_t step) {
       note(body_m <= 0.0, in_zone_, i * zones_.size() + z,
            {kind, step, vehicles_[i].spec.id, static_cast<std::uint32_t>(z), distance_m});
     }
+  }
+}
+
+void World::check_terrain(std::uint32_t step) {
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    if (!in_the_air(i)) continue;
+    const double distance_m = clearance_m(motions_[i], *terrain_);
+    const double body_m = distance_m - vehicles_[i].spec.radius_m;
+    min_clearance_m_ = std::min(min_clearance_m_.value_or(body_m), body_m);
+    note(body_m <= 0.0, grounded_, i, {ContactKind::Terrain, step, vehicles_[i].spec.id, 0, distance_m});
   }
 }
 

@@ -37,6 +37,8 @@ struct VehicleRecord {
   VehicleStatus status = VehicleStatus::Flying;
   double flown_m = 0.0;
   double max_curvature_per_m = 0.0;
+  double max_torsion_per_m = 0.0;  ///< turn of the plane of motion per way, while that plane is defined
+  Vec3 turn = Vec3::Zero();        ///< of the step before: axis times angle (rad)
   std::uint32_t arrival_step = 0;  ///< 0: not arrived
   double arrival_time_s = 0.0;
 };
@@ -48,15 +50,15 @@ struct VehicleCommand {
   bool path_flown = false;  ///< the agent says that its path is flown to the end
 };
 
-enum class ContactKind : std::uint8_t { Vehicles, VehicleObstacle, NearMiss, NoFly };
+enum class ContactKind : std::uint8_t { Vehicles, VehicleObstacle, NearMiss, NoFly, Terrain };
 
 /// A stretch of steps in which two things were too close, counted once, at its first step.
 struct Contact {
   ContactKind kind = ContactKind::Vehicles;
   std::uint32_t step = 0;
   AgentId vehicle = 0;
-  std::uint32_t other = 0;  ///< the other vehicle's id, or the zone's index in the mission
-  double distance_m = 0.0;  ///< between centres, or from centre to the zone's surface
+  std::uint32_t other = 0;  ///< the other vehicle's id, or the zone's index in the mission; 0 for the terrain
+  double distance_m = 0.0;  ///< between centres, or from centre to the surface of zone or terrain
 };
 
 class World {
@@ -79,7 +81,8 @@ class World {
   [[nodiscard]] std::size_t count(ContactKind kind) const;
   /// Least distance between the centres of two vehicles so far; nothing before two vehicles flew a step together.
   [[nodiscard]] std::optional<double> min_separation_m() const { return min_separation_m_; }
-  /// Least distance from a vehicle's body to an obstacle or no-fly zone so far; negative inside.
+  /// Least distance from a vehicle's body to an obstacle, no-fly zone or the terrain (a lower bound) so far; negative
+  /// inside.
   [[nodiscard]] std::optional<double> min_clearance_m() const { return min_clearance_m_; }
   void add_to(StateHash& hash) const;
 
@@ -90,11 +93,13 @@ class World {
   void note_arrival(std::size_t i, std::uint32_t step);
   void check_vehicles(std::uint32_t step);
   void check_zones(std::uint32_t step);
+  void check_terrain(std::uint32_t step);
   void note(bool touching, std::vector<bool>& open, std::size_t key, const Contact& contact);
 
   double step_s_;
   double arrival_radius_m_;
   std::vector<Zone> zones_;
+  std::optional<Terrain> terrain_;
   OnAgentLoss on_agent_loss_;
   bool airborne_ = false;
   std::vector<VehicleRecord> vehicles_;
@@ -103,6 +108,7 @@ class World {
   std::vector<bool> touching_;  ///< vehicle x vehicle: bodies in contact in the last step
   std::vector<bool> near_;      ///< vehicle x vehicle: safety spheres in contact in the last step
   std::vector<bool> in_zone_;   ///< vehicle x zone
+  std::vector<bool> grounded_;  ///< vehicle: in contact with the terrain in the last step
   std::optional<double> min_separation_m_;
   std::optional<double> min_clearance_m_;
 };

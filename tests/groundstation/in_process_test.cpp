@@ -34,6 +34,20 @@ TEST(InProcess, ThreeVehiclesArriveInFormation) {
   }
 }
 
+TEST(InProcess, ThreeVehiclesArriveInFormationInSpace) {
+  const InProcessResult result = run_in_process(scenario_of("rendezvous-3d", 1), {});
+  EXPECT_EQ(result.exit_code, 0) << result.report.dump(2);
+  EXPECT_EQ(result.report.at("collisions"), 0);
+  EXPECT_GT(result.report.at("min_clearance_m").get<double>(), 0.0);
+  for (const auto& vehicle : result.report.at("vehicles")) {
+    EXPECT_NEAR(vehicle.at("planned_length_m").get<double>(), 35047.4, 1.0);
+    EXPECT_LT(vehicle.at("max_curvature_per_m"), 0.002);
+    EXPECT_GT(vehicle.at("max_torsion_per_m"), 0.0);
+    EXPECT_LT(vehicle.at("max_torsion_per_m"), 0.002);
+    EXPECT_EQ(vehicle.at("status"), "arrived");
+  }
+}
+
 TEST(InProcess, SameSeedSameHashOtherSeedOtherHash) {
   const auto first = run_in_process(scenario_of("rendezvous-2d", 7), {});
   const auto again = run_in_process(scenario_of("rendezvous-2d", 7), {});

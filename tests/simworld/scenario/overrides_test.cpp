@@ -58,7 +58,8 @@ TEST_P(RefusedOverride, IsNamed) {
 const Refused kRefused[] = {
     {"UnknownKey",
      {{"vehicles.speed", "3"}},
-     "--set vehicles.speed: unknown key 'speed' in vehicles; allowed: type, speed_mps, max_curvature_per_m, radius_m, "
+     "--set vehicles.speed: unknown key 'speed' in vehicles; allowed: type, speed_mps, max_curvature_per_m, "
+     "max_torsion_per_m, radius_m, "
      "safety_radius_m, on_agent_loss, starts"},
     {"MisspeltSection",
      {{"plannr.particles", "3"}},
@@ -95,7 +96,7 @@ const Refused kRefused[] = {
     {"LineBreakInKey",
      {{"a\nb", "1"}},
      "--set a\\x0ab: unknown key 'a\\x0ab'; allowed: name, kind, seed, length_unit_m, step_s, arrival_radius_m, "
-     "vehicles, formation, obstacles, no_fly, planner, lockstep, world"},
+     "vehicles, formation, obstacles, no_fly, terrain, planner, lockstep, world"},
     {"StartMovedIntoAnObstacle",
      {{"vehicles.starts.1.x_m", "4000"}, {"vehicles.starts.1.y_m", "500"}},
      "--set vehicles.starts.1.x_m: the start of vehicle 1 is 300 m inside obstacles.1; allowed: more than 2 m from it, "

@@ -58,6 +58,47 @@ TEST(Scenario, LayoutBDiffersInItsZonesOnly) {
   EXPECT_EQ(a, b);
 }
 
+TEST(Scenario, TheThirdAxisIsThatOfThePaper) {
+  const Mission mission = load(kScenarioDir + "rendezvous-3d.yaml").mission;
+  EXPECT_EQ(mission.formation.position_m, Vec3(30000, 15000, 3000));
+  EXPECT_EQ(mission.formation.climb_rad, 0.0);
+  EXPECT_EQ(mission.vehicles[2].start.position_m, Vec3(-3000, 20000, 3300));
+  EXPECT_DOUBLE_EQ(mission.vehicles[2].start.climb_rad, -3.14159265358979323846 / 7);
+  EXPECT_EQ(mission.vehicles[0].max_torsion_per_m, 0.002);
+  ASSERT_EQ(mission.zones.size(), 5U);
+  EXPECT_EQ(std::get<Cylinder>(mission.zones[1].shape).z_max_m, 2800.0);
+  EXPECT_EQ(std::get<Cylinder>(mission.zones[1].shape).z_min_m, -kUnboundedZ_m);
+  EXPECT_EQ(std::get<Box>(mission.zones[4].shape).min_m, Vec3(10000, 8000, 3400));
+  ASSERT_TRUE(mission.terrain.has_value());
+  EXPECT_EQ(*mission.terrain, (Terrain{0.5, -1.15, 0.5, 3.42, 0.6, 0.327, 0.5, 0.08, 0.05, 1000.0}));
+}
+
+TEST(Scenario, ZonesOfEitherShapeAreObstaclesOrNoFly) {
+  const Mission mission =
+      scenario_of(
+          load_small({{"obstacles", "[{x_min_m: 4000, y_min_m: 3000, x_max_m: 5000, y_max_m: 3500, z_max_m: 9}]"},
+                      {"no_fly", "[{x_m: 4000, y_m: 5000, radius_m: 50, z_min_m: -5, z_max_m: 5}]"}}))
+          .mission;
+  ASSERT_EQ(mission.zones.size(), 2U);
+  EXPECT_EQ(std::get<Box>(mission.zones[0].shape).max_m, Vec3(5000, 3500, 9));
+  EXPECT_FALSE(mission.zones[0].no_fly);
+  EXPECT_EQ(std::get<Cylinder>(mission.zones[1].shape).z_min_m, -5.0);
+  EXPECT_TRUE(mission.zones[1].no_fly);
+}
+
+TEST(Scenario, WhatHasNoRoomInHeightIsRefused) {
+  EXPECT_EQ(fault_line(load_small({{"terrain", "{e: 10}"}})).substr(kDataDir.size()),
+            "small.yaml:14:7: the start of vehicle 1 is 10 m below the terrain; allowed: more than 2 m above it, its "
+            "radius on the steepest slope");
+  EXPECT_EQ(fault_line(load_small({{"obstacles.1.z_min_m", "9"}, {"obstacles.1.z_max_m", "3"}})),
+            "--set obstacles.1.z_max_m: obstacles.1.z_max_m is 3; allowed: more than z_min_m, 9 m");
+}
+
+TEST(Scenario, AStartUnderneathAnObstacleHasRoom) {
+  const std::vector<Override> above{{"obstacles.1.x_m", "0"}, {"obstacles.1.y_m", "0"}, {"obstacles.1.z_min_m", "10"}};
+  EXPECT_EQ(scenario_of(load_small(above)).mission.zones.size(), 2U);
+}
+
 TEST(Scenario, WhatIsLeftOutHasItsDefault) {
   const Scenario scenario = load(kDataDir + "small.yaml");
   RendezvousOptions planner;
@@ -66,6 +107,9 @@ TEST(Scenario, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(scenario.lockstep, LockstepOptions{});
   EXPECT_EQ(scenario.world, WorldOptions{});
   EXPECT_EQ(scenario.mission.length_unit_m, 1.0);
+  EXPECT_FALSE(scenario.mission.terrain.has_value());
+  EXPECT_EQ(scenario.mission.vehicles[0].max_torsion_per_m, kUnlimitedTorsion_per_m);
+  EXPECT_EQ(scenario.mission.vehicles[0].start.position_m.z(), 0.0);
 }
 
 TEST(Scenario, VehiclesAreByAscendingIdWhateverTheOrderOfTheFile) {
