@@ -16,6 +16,10 @@ double ground_m(const Terrain& terrain, const Vec2& place_m) {
   return height * terrain.unit_m;
 }
 
+double highest_m(const Terrain& terrain) {
+  return (std::fabs(terrain.a) + std::fabs(terrain.c) + std::fabs(terrain.e) + std::fabs(terrain.g)) * terrain.unit_m;
+}
+
 double slope_bound(const Terrain& terrain) {
   return std::sqrt(terrain.a * terrain.a + terrain.c * terrain.c) + std::fabs(terrain.e * terrain.f) +
          std::fabs(terrain.g) * std::sqrt(terrain.h * terrain.h + terrain.l * terrain.l);

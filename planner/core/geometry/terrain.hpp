@@ -32,6 +32,8 @@ struct Terrain {
 
 /// Height (m) of the ground at a place (m).
 [[nodiscard]] double ground_m(const Terrain& terrain, const Vec2& place_m);
+/// At least the height (m) of the ground anywhere.
+[[nodiscard]] double highest_m(const Terrain& terrain);
 /// At least the slope of the ground anywhere.
 [[nodiscard]] double slope_bound(const Terrain& terrain);
 /// sqrt(1 + slope_bound^2): height above the ground that is enough for a distance of 1 from it.

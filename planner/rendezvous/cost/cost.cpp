@@ -9,6 +9,10 @@ namespace {
 /// Whether the chord from a to b comes closer to the zone than allowed; most pairs end at the enclosing disc.
 template <typename Vec>
 bool violates(const PlanarZone& zone, double keep_out_m, const Vec& a, const Vec& b) {
+  if constexpr (Vec::RowsAtCompileTime == 3) {
+    if (std::min(a.z(), b.z()) >= zone.heights_m.max + keep_out_m) return false;
+    if (std::max(a.z(), b.z()) <= zone.heights_m.min - keep_out_m) return false;
+  }
   const Vec2 half = 0.5 * (b - a).template head<2>();
   const double reach = zone.reach_m + keep_out_m + half.norm();
   if ((a.template head<2>() + half - zone.centre_m).squaredNorm() > reach * reach) return false;
@@ -20,9 +24,8 @@ void check_in_space(const ProblemIn<Spatial>& problem, const ph::SpatialPath& pa
                     CostTerms& terms) {
   const double penalty = problem.options.penalty;
   if (std::fabs(path.torsion(q)) > problem.max_torsion_per_m) terms.twisted = penalty;
-  if (terms.terrain == 0.0 && problem.terrain && height_above_m(*problem.terrain, here) < problem.terrain_height_m) {
-    terms.terrain = penalty;
-  }
+  if (terms.terrain > 0.0 || !problem.terrain || here.z() >= problem.terrain_roof_m) return;
+  if (height_above_m(*problem.terrain, here) < problem.terrain_height_m) terms.terrain = penalty;
 }
 
 /// Zones, curvature, torsion and terrain at Np points of equal parameter distance, and for zones the chords between.

@@ -44,17 +44,8 @@ ParticipantIn<Space> participant(const Mission& mission, const VehicleSpec& vehi
   return {vehicle.id, hermite, range, slot.position_m.z(), vehicle.safety_radius_m};
 }
 
-PlanarZone planar(const Zone& zone) {
-  if (const auto* cylinder = std::get_if<Cylinder>(&zone.shape)) {
-    return {zone.shape, zone.no_fly, cylinder->centre_m, cylinder->radius_m};
-  }
-  const Box& box = std::get<Box>(zone.shape);
-  const Vec2 half = 0.5 * (box.max_m - box.min_m).head<2>();
-  return {zone.shape, zone.no_fly, box.min_m.head<2>() + half, half.norm()};
-}
-
-bool reaches(const Zone& zone, double altitude_m, double keep_out_m) {
-  const Interval heights = std::visit(
+Interval heights_of(const Zone& zone) {
+  return std::visit(
       [](const auto& shape) {
         if constexpr (requires { shape.radius_m; }) {
           return Interval{shape.z_min_m, shape.z_max_m};
@@ -63,6 +54,19 @@ bool reaches(const Zone& zone, double altitude_m, double keep_out_m) {
         }
       },
       zone.shape);
+}
+
+PlanarZone planar(const Zone& zone) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&zone.shape)) {
+    return {zone.shape, zone.no_fly, cylinder->centre_m, cylinder->radius_m, heights_of(zone)};
+  }
+  const Box& box = std::get<Box>(zone.shape);
+  const Vec2 half = 0.5 * (box.max_m - box.min_m).head<2>();
+  return {zone.shape, zone.no_fly, box.min_m.head<2>() + half, half.norm(), heights_of(zone)};
+}
+
+bool reaches(const Zone& zone, double altitude_m, double keep_out_m) {
+  const Interval heights = heights_of(zone);
   return altitude_m >= heights.min - keep_out_m && altitude_m <= heights.max + keep_out_m;
 }
 
@@ -97,6 +101,7 @@ ProblemIn<Space> make_problem(const Mission& mission, AgentId self) {
   if (mission.terrain) {
     problem.terrain = mission.terrain;
     problem.terrain_height_m = problem.keep_out_m * tilt_of(*mission.terrain);
+    problem.terrain_roof_m = highest_m(*mission.terrain) + problem.terrain_height_m;
   }
   problem.length_unit_m = mission.length_unit_m;
   problem.seed = mission.seed;

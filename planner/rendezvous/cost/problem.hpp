@@ -39,6 +39,7 @@ struct PlanarZone {
   bool no_fly = false;
   Vec2 centre_m = Vec2::Zero();
   double reach_m = 0.0;
+  Interval heights_m;  ///< from its lower to its upper end
 };
 
 template <typename Space>
@@ -51,6 +52,7 @@ struct ProblemIn {
   double max_torsion_per_m = 0.0;                  ///< in space; likewise
   std::optional<Terrain> terrain;                  ///< in space
   double terrain_height_m = 0.0;  ///< to be kept above the terrain, so that keep_out_m is kept from its slopes
+  double terrain_roof_m = 0.0;    ///< height from which on the terrain does not matter
   double length_unit_m = 1.0;
   std::uint64_t seed = 0;
   RendezvousOptions options;

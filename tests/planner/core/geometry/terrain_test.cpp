@@ -30,6 +30,7 @@ TEST(Terrain, ByHand) {
   // a sin(pi/2) + c sin(pi/2) + e cos(0) + g sin(0), in kilometres, at the origin.
   const Terrain t{0.1, 0.5 * math::kPi, 0.2, 0.5 * math::kPi, 0.4, 2.0, 7.0, 3.0, 4.0, 1000.0};
   EXPECT_NEAR(ground_m(t, Vec2::Zero()), 700.0, 1e-9);
+  EXPECT_NEAR(highest_m(t), 7700.0, 1e-9);
   EXPECT_NEAR(slope_bound(t), std::sqrt(0.05) + 0.8 + 35.0, 1e-12);
   EXPECT_NEAR(bend_bound_per_m(t), (0.2 + 1.6 + 175.0) / 1000.0, 1e-12);
 }
@@ -42,6 +43,7 @@ TEST(Terrain, SlopesAndHeightsAlongSegmentsKeepTheBounds) {
     const Vec3 step(stream.uniform(-1.0, 1.0), stream.uniform(-1.0, 1.0), stream.uniform(-1.0, 1.0));
     const Vec3 b = a + t.unit_m * step;
     const double rise = std::fabs(ground_m(t, b.head<2>()) - ground_m(t, a.head<2>()));
+    EXPECT_LE(ground_m(t, a.head<2>()), highest_m(t)) << "seed " << seed;
     EXPECT_LE(rise, slope_bound(t) * (b - a).head<2>().norm() + 1e-9) << "seed " << seed;
     double least = height_above_m(t, a);
     for (int i = 0; i <= 1000; ++i) least = std::min(least, height_above_m(t, a + i / 1000.0 * (b - a)));
