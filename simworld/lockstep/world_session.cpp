@@ -62,8 +62,10 @@ void WorldSession::poll(double now_s) {
 }
 
 double WorldSession::idle_s(double now_s) const {
-  const double period_s = state_ == State::Waiting ? kWaitingTick_s : kResend_s;
-  return std::clamp(last_sent_s_ + period_s - now_s, 0.0, kWaitingTick_s);
+  double due_s = last_sent_s_ + (state_ == State::Waiting ? kWaitingTick_s : kResend_s);
+  if (state_ == State::Running && !awaited_.empty()) due_s = awaited_since_s_ + deadline_s_;
+  if (state_ == State::Closing) due_s = barrier_.opened_s() + kGoodbye_s;
+  return std::clamp(due_s - now_s, 0.0, kWaitingTick_s);
 }
 
 void WorldSession::take(double now_s) {
@@ -83,7 +85,10 @@ void WorldSession::on_sample(const wire::Beacon& sample, double now_s) {
   const Beacon& beacon = checked.value();
   if (beacon.mode == AgentMode::Leaving) {
     if (state_ == State::Waiting) return admission_.forget(beacon.nonce);
-    return add_loss(beacon.agent, LossReason::Left);
+    // the goodbye of a process that was never admitted, under an id that another one holds, loses nobody
+    const auto entry = std::ranges::find(tick_.roster, beacon.nonce, &RosterEntry::nonce);
+    if (entry != tick_.roster.end() && entry->agent == beacon.agent) add_loss(beacon.agent, LossReason::Left);
+    return;
   }
   if (beacon.incarnation == 0) return admission_.introduce(beacon, now_s);
   if (!beacon.closes_round) return serve_needs(beacon, now_s);
