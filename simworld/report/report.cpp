@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "planner/core/lockstep/names.hpp"
@@ -69,6 +70,15 @@ Json topics_of(const TopicCounts& counts) {
           {"sense", entry(counts.sense)},
           {"beacon", entry(counts.beacon)},
           {"representative", entry(counts.representative)}};
+}
+
+/// A whole number of `least` or more. @throws std::runtime_error
+std::uint32_t whole(const nlohmann::json& item, const char* key, std::uint64_t least) {
+  const nlohmann::json& value = item.at(key);
+  const bool fits = value.is_number_unsigned() && value.get<std::uint64_t>() >= least &&
+                    value.get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
+  if (!fits) throw std::runtime_error(fmt::format("{} is no whole number from {}", key, least));
+  return value.get<std::uint32_t>();
 }
 
 /// Outcome: success, reason, who is missing.
@@ -143,8 +153,8 @@ std::vector<RosterChange> roster_changes_of(const nlohmann::json& report) {
     try {
       const auto reason = loss_reason_from(item.at("reason").get<std::string>());
       if (!reason) throw std::runtime_error("unknown reason");
-      changes.push_back({item.at("step").get<std::uint32_t>(), item.at("round").get<std::uint32_t>(),
-                         item.at("agent").get<AgentId>(), item.at("incarnation").get<std::uint32_t>(), *reason});
+      changes.push_back({whole(item, "step", 0), whole(item, "round", 1), whole(item, "agent", 1),
+                         whole(item, "incarnation", 1), *reason});
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("roster_changes[{}]: {}", changes.size(), error.what()));
     }
