@@ -81,9 +81,9 @@ TEST(SessionRun, DropsWhoeverLeavesATickUnansweredForTheDeadline) {
   Stage stage(2);
   const Tick tick = stage.start();
   stage.say(closing(1, tick.round));
-  stage.at(9.9);
+  stage.until(9.9);
   EXPECT_TRUE(stage.session.run().changes().empty());
-  stage.at(10.0);
+  stage.until(10.0);
   const Tick next = stage.last_tick();
   ASSERT_EQ(next.roster.size(), 1U);
   EXPECT_EQ(next.round, tick.round + 1);
@@ -208,7 +208,7 @@ TEST(SessionRun, AFaultWithoutEffectEndsTheRun) {
   const Tick tick = stage.start();
   stage.say(closing(1, tick.round, AgentMode::Ready));
   stage.at(1.0);
-  stage.at(11.1);
+  stage.until(11.1);
   EXPECT_EQ(stage.session.interrupted(), "the fault on agent 1 took no effect within 10 s");
 }
 

@@ -55,6 +55,11 @@ class Stage {
   }
 
   void at(double time_s) { session.poll(now_s = time_s); }
+  /// Polls every half second until `time_s`, as a process does.
+  void until(double time_s) {
+    while (now_s + 0.5 < time_s) at(now_s + 0.5);
+    at(time_s);
+  }
   template <typename Value>
   void say(const Value& value) {
     port.arrived.push_back(to_wire(value, {}));

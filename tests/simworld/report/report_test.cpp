@@ -119,7 +119,7 @@ TEST(Report, WallTimesReplaceTheSessionsClock) {
   Stage stage(2);
   run_to_the_end(stage, false);
   const PhaseTimes wall{10.0, 10.5, 12.5, 14.0};
-  const Json report = make_report(stage.session, scenario_of(2), {"in-process", {}, wall});
+  const Json report = make_report(stage.session, scenario_of(2), {.carrier = "in-process", .wall = wall});
   EXPECT_EQ(report.at("discovery_s"), 0.5);
   EXPECT_EQ(report.at("plan_s"), 2.0);
   EXPECT_EQ(report.at("rounds_per_s"), 1.0);
