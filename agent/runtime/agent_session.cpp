@@ -56,16 +56,17 @@ void AgentSession::take(double now_s) {
 }
 
 void AgentSession::on_sample(const wire::Mission& sample, double /*now_s*/) {
-  if (behaviour_ != nullptr) {
-    if (sample.head().run() != run_) faults_.add(WireFaultReason::WrongRun);
-    return;
-  }
+  if (sample.head().run() == run_ && behaviour_ != nullptr) return;
+  // who waits may hear of a world that died, and then of its successor
+  if (state_ != State::Introducing) return faults_.add(WireFaultReason::WrongRun);
   const Checked<Mission> checked = from_wire(sample, {});
   if (!checked.ok()) return faults_.add(checked.fault().reason);
   run_ = sample.head().run();
   if (tick_ && tick_->run != run_) tick_.reset();  // heard before it was known whose mission this is
   mission_ = checked.value();
-  for (const VehicleSpec& vehicle : mission_.vehicles) ids_.push_back(vehicle.id);
+  ids_ = ids_of(mission_);
+  sense_.reset();
+  heard_.clear();
   if (!std::ranges::binary_search(ids_, id_)) {
     state_ = State::TurnedAway;
     reason_ = fmt::format("the mission has no vehicle {}", id_);
@@ -154,7 +155,7 @@ void AgentSession::follow_roster() {
     if (listed && behaviour_ != nullptr) {
       state_ = State::Live;
       incarnation_ = own->incarnation;
-    } else if (tick.phase == Phase::Finished) {
+    } else if (tick.phase == Phase::Finished && tick.run == run_) {
       state_ = State::TurnedAway;
       reason_ = fmt::format("the world ended before agent {} took part", id_);
     }

@@ -79,6 +79,10 @@ SweepPlan plan_of(const SweepArguments& arguments) {
 
 int sweep(const SweepArguments& arguments) {
   SweepPlan plan = plan_of(arguments);
+  if (plan.first_seed + (plan.runs - 1) < plan.first_seed) {
+    std::cerr << fmt::format("--seed {}: {} runs from it go beyond 2^64 - 1\n", plan.first_seed, plan.runs);
+    return static_cast<int>(ExitCode::Usage);
+  }
   const SignalWatch signals({SIGINT, SIGTERM});
   std::optional<int> signal;
   plan.stop = [&] {
@@ -98,7 +102,9 @@ int sweep(const SweepArguments& arguments) {
     return static_cast<int>(ExitCode::Usage);
   }
   if (arguments.json) {
-    std::cout << Json{{"scenario", arguments.world.scenario}, {"rows", result.rows}}.dump(2) << "\n";
+    std::cout
+        << Json{{"scenario", arguments.world.scenario}, {"complete", !result.stopped}, {"rows", result.rows}}.dump(2)
+        << "\n";
   } else {
     print_table(result.rows);
   }

@@ -95,6 +95,7 @@ Json figures_of(const Json& report) {
 SweepResult run_sweep(const SweepPlan& plan) {
   const auto combinations = combinations_of(plan.keys);
   std::vector<Scenario> scenarios;
+  scenarios.reserve(combinations.size());
   for (const auto& set : combinations) scenarios.push_back(load(plan, set, plan.first_seed));
   const std::size_t total = combinations.size() * plan.runs;
   std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));

@@ -55,8 +55,8 @@ class Run {
   /// @throws std::invalid_argument for an empty mission.
   Run(std::uint64_t run, const Mission& mission, const WorldOptions& options, bool fail_fast);
 
-  /// The tick of round 1. @pre `roster` holds every vehicle's agent, ascending.
-  [[nodiscard]] Tick begin(std::vector<RosterEntry> roster);
+  /// The tick of round 1. @pre `roster` holds every vehicle's agent, ascending; some may be `lost` already.
+  [[nodiscard]] Tick begin(std::vector<RosterEntry> roster, std::span<const Loss> lost = {});
 
   /// When the next tick will be, as far as the answers tell without those of `lost`.
   [[nodiscard]] Moment next(const Barrier& answers, std::span<const Loss> lost) const;
@@ -81,6 +81,7 @@ class Run {
 
  private:
   void drop(std::span<const Loss> lost);
+  void date_changes(std::size_t known);
   void decide_planning(const Barrier& answers);
   void decide_flight(const Barrier& answers);
   void note_plan(const Barrier& answers);

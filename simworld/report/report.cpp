@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -81,6 +82,18 @@ std::uint32_t whole(const nlohmann::json& item, const char* key, std::uint64_t l
   return value.get<std::uint32_t>();
 }
 
+/// What was asked for and never came to pass, as the end of a reason; empty if nothing.
+std::string unused_of(const WorldSession& session) {
+  std::string text;
+  for (const Fault& fault : session.unused_faults()) {
+    text += fmt::format("; the fault {} never took place", text_of(fault));
+  }
+  for (const RosterChange& change : session.unused_losses()) {
+    text += fmt::format("; the loss of agent {} at round {} never took place", change.agent, change.round);
+  }
+  return text;
+}
+
 /// Outcome: success, reason, who is missing.
 Json outcome_of(const WorldSession& session, int exit_code) {
   Json outcome;
@@ -90,7 +103,7 @@ Json outcome_of(const WorldSession& session, int exit_code) {
   const Verdict verdict = whole ? session.run().verdict() : Verdict{};
   outcome["reason"] = !session.start_failure().empty() ? session.start_failure()
                       : !session.interrupted().empty() ? session.interrupted()
-                                                       : verdict.reason;
+                                                       : verdict.reason + unused_of(session);
   outcome["completed_without"] = verdict.completed_without;
   return outcome;
 }
@@ -106,7 +119,8 @@ int exit_code_of(const WorldSession& session, const ReportContext& context) {
   if (!session.start_failure().empty()) return static_cast<int>(ExitCode::StartUp);
   if (context.signal) return 128 + *context.signal;
   if (!session.interrupted().empty()) return static_cast<int>(ExitCode::Failed);
-  return static_cast<int>(session.run().verdict().code);
+  const ExitCode code = session.run().verdict().code;
+  return static_cast<int>(code == ExitCode::Success && !unused_of(session).empty() ? ExitCode::Failed : code);
 }
 
 Json make_report(const WorldSession& session, const Scenario& scenario, const ReportContext& context) {
@@ -124,6 +138,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["scenario_hash"] = fmt::format("{:016x}", scenario.scenario_hash);
   report["version"] = version();
   report["carrier"] = context.carrier;
+  report["fail_fast"] = session.fail_fast();
   report["planner"] = scenario.mission.planner.name;
   report["steps"] = run.steps_flown();
   report["rounds"] = run.planning_rounds();
@@ -142,7 +157,23 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["pss_mb_per_agent"] = nullptr;
   report["topics"] = topics_of(session.topics());
   report["refused_samples"] = session.refused_samples().total();
+  report["lost_samples"] = context.lost_samples;
   return report;
+}
+
+std::string replay_obstacle(const nlohmann::json& report, const Scenario& scenario, bool fail_fast) {
+  const std::string hash = fmt::format("{:016x}", scenario.scenario_hash);
+  if (report.value("scenario_hash", "") != hash) return "it is of another scenario, or of other --set values";
+  if (report.value("seed", nlohmann::json()) != nlohmann::json(scenario.mission.seed)) return "it has another seed";
+  if (report.value("fail_fast", false) != fail_fast) return "it differs in --fail-fast";
+  return "";
+}
+
+void write_json(const std::string& path, const nlohmann::ordered_json& json) {
+  std::ofstream file(path);
+  file << json.dump(2) << "\n";
+  file.close();
+  if (!file) throw std::runtime_error(fmt::format("cannot write {}", path));
 }
 
 std::vector<RosterChange> roster_changes_of(const nlohmann::json& report) {

@@ -7,6 +7,12 @@
 
 namespace skein {
 
+std::vector<AgentId> ids_of(const Mission& mission) {
+  std::vector<AgentId> ids;
+  for (const VehicleSpec& vehicle : mission.vehicles) ids.push_back(vehicle.id);
+  return ids;
+}
+
 const VehicleSpec& vehicle_of(const Mission& mission, AgentId id) {
   const auto found = std::ranges::find(mission.vehicles, id, &VehicleSpec::id);
   if (found == mission.vehicles.end()) {

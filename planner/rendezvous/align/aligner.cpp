@@ -72,6 +72,9 @@ void Aligner::blame(std::span<const Representative> peers) {
     violated_peer_ = peer.agent;
     return;
   }
+  for (const Representative& peer : peers) {
+    if (peer.path_length_m < length_m_ && !same_length(peer.path_length_m, length_m_)) violated_peer_ = peer.agent;
+  }
 }
 
 void Aligner::align(const Problem& problem, std::span<const Representative> peers) {

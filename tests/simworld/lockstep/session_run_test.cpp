@@ -91,6 +91,19 @@ TEST(SessionRun, DropsWhoeverLeavesATickUnansweredForTheDeadline) {
   EXPECT_EQ(stage.session.run().changes()[0], (RosterChange{0, 2, 2, 1, LossReason::Deadline}));
 }
 
+TEST(SessionRun, TimeInWhichTheWorldWasStoppedCountsAgainstNobody) {
+  Stage stage(2);
+  const Tick tick = stage.start();
+  stage.say(closing(1, tick.round));
+  stage.until(2.0);
+  stage.at(60.0);  // stopped and continued
+  EXPECT_TRUE(stage.session.run().changes().empty());
+  stage.until(67.0);
+  EXPECT_TRUE(stage.session.run().changes().empty());
+  stage.until(70.0);
+  EXPECT_EQ(stage.session.run().changes().size(), 1U);
+}
+
 TEST(SessionRun, AGoodbyeDropsAtOnce) {
   Stage stage(2);
   const Tick tick = stage.start();

@@ -86,11 +86,11 @@ TEST(Verdict, CollisionsComeFirst) {
 TEST(Verdict, ObstaclesAndZonesAreCollisions) {
   Mission mission = test::abreast(1);
   mission.zones = {{Cylinder{Vec2(-10.0, 100.0), 2.0}, false}};
-  EXPECT_EQ(Flight(mission).to_the_end().reason, "vehicle 1 touched obstacle 0 at step 2");
+  EXPECT_EQ(Flight(mission).to_the_end().reason, "vehicle 1 touched obstacles.1 at step 2");
   mission.zones = {{Box{Vec3(-12.0, 95.0, -10.0), Vec3(-8.0, 105.0, 10.0)}, true}};
   const Verdict verdict = Flight(mission).to_the_end();
   EXPECT_EQ(verdict.code, ExitCode::Failed);
-  EXPECT_EQ(verdict.reason, "vehicle 1 touched no-fly zone 0 at step 2");
+  EXPECT_EQ(verdict.reason, "vehicle 1 touched no_fly.1 at step 2");
 }
 
 TEST(Verdict, NearMissesFailTheMission) {
