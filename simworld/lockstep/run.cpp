@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "planner/core/lockstep/names.hpp"
@@ -43,7 +44,7 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
       fail_fast_(fail_fast),
       world_(mission, options.on_agent_loss),
       hash_(mission_hash(mission)) {
-  for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({vehicle.id, 0.0, 0.0, 0});
+  for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({.agent = vehicle.id});
 }
 
 Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost) {
@@ -104,8 +105,21 @@ void Run::note_plan(const Barrier& answers) {
   for (const RosterEntry& entry : roster_) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
     const auto figures = std::ranges::find(plan_, entry.agent, &PlanFigures::agent);
-    *figures = {entry.agent, beacon.planned_length_m, beacon.cost, beacon.generation};
+    *figures = {entry.agent, beacon.planned_length_m, beacon.cost, beacon.generation, std::move(figures->particle)};
+    const auto& published = answers.answer_of(entry.agent)->representative;
+    if (published) figures->particle = published->particle;
   }
+}
+
+void Run::note_spread() {
+  double least_m = std::numeric_limits<double>::infinity();
+  double most_m = 0.0;
+  for (const RosterEntry& entry : roster_) {
+    const double length_m = std::ranges::find(plan_, entry.agent, &PlanFigures::agent)->length_m;
+    least_m = std::min(least_m, length_m);
+    most_m = std::max(most_m, length_m);
+  }
+  plan_spread_m_ = most_m - least_m;
 }
 
 void Run::decide_planning(const Barrier& answers) {
@@ -118,6 +132,7 @@ void Run::decide_planning(const Barrier& answers) {
     ready = ready && beacon.mode == AgentMode::Ready;
   }
   if (ready) {
+    note_spread();
     phase_ = Phase::Flying;
     step_ = 1;
   } else if (round_ >= options_.max_rounds) {

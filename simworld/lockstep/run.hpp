@@ -47,6 +47,7 @@ struct PlanFigures {
   double length_m = 0.0;
   double cost = 0.0;
   std::uint32_t generation = 0;
+  std::vector<double> particle = {};  ///< of the representative that was published last
 };
 
 class Run {
@@ -74,6 +75,8 @@ class Run {
   [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
   [[nodiscard]] const std::vector<RosterChange>& changes() const { return changes_; }
   [[nodiscard]] const std::vector<PlanFigures>& plan() const { return plan_; }
+  /// Largest difference (m) of the lengths that the swarm set out to fly; nothing if planning did not end in a plan.
+  [[nodiscard]] std::optional<double> plan_spread_m() const { return plan_spread_m_; }
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
   /// What the run came to. @pre finished().
@@ -85,6 +88,7 @@ class Run {
   void decide_planning(const Barrier& answers);
   void decide_flight(const Barrier& answers);
   void note_plan(const Barrier& answers);
+  void note_spread();
   void fold_hash(const Barrier& answers);
   void finish(std::string failure);
   [[nodiscard]] Tick compose(const Barrier* answers) const;
@@ -104,6 +108,7 @@ class Run {
   std::vector<RosterEntry> roster_;
   std::vector<RosterChange> changes_;
   std::vector<PlanFigures> plan_;
+  std::optional<double> plan_spread_m_;
   std::string failure_;
 };
 

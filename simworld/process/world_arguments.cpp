@@ -43,6 +43,9 @@ void add_scenario_options(CLI::App& app, WorldArguments& arguments) {
     }
     arguments.overrides.push_back({text.substr(0, at), text.substr(at + 1)});
   });
+  add_repeated(app, "--planner", "NAME: the same as --set planner.name=NAME", [&arguments](const auto& text) {
+    arguments.overrides.push_back({"planner.name", text});
+  });
 }
 
 void add_world_options(CLI::App& app, WorldArguments& arguments) {

@@ -25,7 +25,7 @@ struct WorldArguments {
   int control_fd = -1;    ///< of the launcher's socket pair; -1 when started by hand
 };
 
-/// Adds SCENARIO, --seed, --set: what names a scenario.
+/// Adds SCENARIO, --seed, --set, --planner: what names a scenario.
 void add_scenario_options(CLI::App& app, WorldArguments& arguments);
 
 /// Adds those and --out, --fail-fast / --keep-going, --fault: what run and world have in common.

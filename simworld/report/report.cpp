@@ -43,11 +43,20 @@ Json vehicles_of(const Run& run) {
                     {"pid", nullptr},
                     {"path_length_m", vehicle.flown_m},
                     {"planned_length_m", plan->length_m},
+                    {"particle", plan->particle},
                     {"arrival_step", arrived ? Json(vehicle.arrival_step) : Json(nullptr)},
                     {"arrival_time_s", arrived ? Json(vehicle.arrival_time_s) : Json(nullptr)},
                     {"max_curvature_per_m", vehicle.max_curvature_per_m},
                     {"status", name_of(vehicle.status)},
                     {"reason", vehicle_reason(vehicle, run)}});
+  }
+  return list;
+}
+
+Json separations_of(const World& world) {
+  Json list = Json::array();
+  for (const PairSeparation& pair : world.separations()) {
+    list.push_back({{"a", pair.a}, {"b", pair.b}, {"flown_m", or_null(pair.least_m)}});
   }
   return list;
 }
@@ -140,6 +149,10 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["carrier"] = context.carrier;
   report["fail_fast"] = session.fail_fast();
   report["planner"] = scenario.mission.planner.name;
+  const std::optional<double> spread_m = run.plan_spread_m();
+  report["plan_feasible"] = spread_m.has_value();
+  report["plan_success"] = spread_m && *spread_m <= scenario.mission.planner.length_tolerance_m;
+  report["plan_spread_m"] = or_null(spread_m);
   report["steps"] = run.steps_flown();
   report["rounds"] = run.planning_rounds();
   report["collisions"] =
@@ -147,6 +160,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["near_misses"] = world.count(ContactKind::NearMiss);
   report["min_separation_m"] = or_null(world.min_separation_m());
   report["min_clearance_m"] = or_null(world.min_clearance_m());
+  report["separations"] = separations_of(world);
   report["vehicles"] = vehicles_of(run);
   report["roster_changes"] = changes_of(run);
   report["discovery_s"] = span_s(times.created_s, times.started_s);

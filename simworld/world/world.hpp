@@ -41,6 +41,13 @@ struct VehicleRecord {
   double arrival_time_s = 0.0;
 };
 
+/// How close two vehicles came while both were in the air, by the centres, continuous between steps.
+struct PairSeparation {
+  AgentId a = 0;
+  AgentId b = 0;
+  std::optional<double> least_m;  ///< nothing if they never flew a step together
+};
+
 /// What one live agent commands for a step.
 struct VehicleCommand {
   AgentId agent = 0;
@@ -79,6 +86,8 @@ class World {
   [[nodiscard]] std::size_t count(ContactKind kind) const;
   /// Least distance between the centres of two vehicles so far; nothing before two vehicles flew a step together.
   [[nodiscard]] std::optional<double> min_separation_m() const { return min_separation_m_; }
+  /// Of every pair, by ascending ids.
+  [[nodiscard]] std::vector<PairSeparation> separations() const;
   /// Least distance from a vehicle's body to an obstacle or no-fly zone so far; negative inside.
   [[nodiscard]] std::optional<double> min_clearance_m() const { return min_clearance_m_; }
   void add_to(StateHash& hash) const;
@@ -100,9 +109,10 @@ class World {
   std::vector<VehicleRecord> vehicles_;
   std::vector<Motion> motions_;
   std::vector<Contact> contacts_;
-  std::vector<bool> touching_;  ///< vehicle x vehicle: bodies in contact in the last step
-  std::vector<bool> near_;      ///< vehicle x vehicle: safety spheres in contact in the last step
-  std::vector<bool> in_zone_;   ///< vehicle x zone
+  std::vector<bool> touching_;   ///< vehicle x vehicle: bodies in contact in the last step
+  std::vector<bool> near_;       ///< vehicle x vehicle: safety spheres in contact in the last step
+  std::vector<bool> in_zone_;    ///< vehicle x zone
+  std::vector<double> least_m_;  ///< vehicle x vehicle: least distance so far
   std::optional<double> min_separation_m_;
   std::optional<double> min_clearance_m_;
 };

@@ -42,6 +42,21 @@ void add_zone(StateHash& hash, const Zone& zone) {
   }
 }
 
+void add_options(StateHash& hash, const RendezvousOptions& options) {
+  const auto value_of = [](const RendezvousOptions& of, const RendezvousField& field) {
+    return std::visit([&](auto member) { return static_cast<double>(of.*member); }, field.member);
+  };
+  hash.add(std::string_view(options.name));
+  for (std::size_t i = 0; i < kRendezvousFields.size(); ++i) {
+    const double value = value_of(options, kRendezvousFields[i]);
+    if (i < kAlwaysHashedFields) {
+      hash.add(value);
+    } else if (value != value_of(RendezvousOptions{}, kRendezvousFields[i])) {
+      hash.add(kRendezvousFields[i].key).add(value);
+    }
+  }
+}
+
 }  // namespace
 
 std::uint64_t mission_hash(const Mission& mission) {
@@ -54,10 +69,7 @@ std::uint64_t mission_hash(const Mission& mission) {
   }
   hash.add(mission.zones.size());
   for (const Zone& zone : mission.zones) add_zone(hash, zone);
-  hash.add(std::string_view(mission.planner.name));
-  for (const RendezvousField& field : kRendezvousFields) {
-    std::visit([&](auto member) { hash.add(static_cast<double>(mission.planner.*member)); }, field.member);
-  }
+  add_options(hash, mission.planner);
   return hash.value();
 }
 
