@@ -3,10 +3,12 @@
 
 #include "groundstation/cli/verbs.hpp"
 #include "idl/process/common_flags.hpp"
+#include "simworld/report/report.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("Skein: distributed UAV swarms over DDS", "skein");
   app.require_subcommand(1);
+  app.set_version_flag("--version", std::string(skein::version()));
   const std::map<std::string, skein::VerbAction> verbs{
       {"run", skein::add_run_verb(app)},
       {"sweep", skein::add_sweep_verb(app)},

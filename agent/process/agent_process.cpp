@@ -53,6 +53,9 @@ int serve(const AgentArguments& arguments) {
     }
   }
   const bool heard = port.flush(std::chrono::milliseconds(500));
+  if (session.refused_samples().total() + port.lost() > 0) {
+    spdlog::warn("{} samples refused, {} lost", session.refused_samples().total(), port.lost());
+  }
   if (session.state() == AgentSession::State::Finished) {
     spdlog::info("the run is over{}: {} at round {}, step {}", heard ? "" : " (last beacon unheard)",
                  name_of(session.mode()), session.round(), session.step());

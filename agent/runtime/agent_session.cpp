@@ -41,8 +41,10 @@ void AgentSession::poll(double now_s) {
 }
 
 double AgentSession::idle_s(double now_s) const {
-  const double period_s = state_ == State::Introducing ? kIntroduce_s : kNeeds_s;
-  return std::clamp(last_sent_s_ + period_s - now_s, 0.0, kNeeds_s);
+  if (state_ == State::Introducing) return std::clamp(last_sent_s_ + kIntroduce_s - now_s, 0.0, kIntroduce_s);
+  const bool owes = state_ == State::Live && tick_ && tick_->round > done_round_;
+  if (!owes) return kNeeds_s;
+  return std::clamp(std::max(tick_heard_s_, last_sent_s_) + kNeeds_s - now_s, 0.0, kNeeds_s);
 }
 
 void AgentSession::take(double now_s) {
@@ -54,15 +56,17 @@ void AgentSession::take(double now_s) {
 }
 
 void AgentSession::on_sample(const wire::Mission& sample, double /*now_s*/) {
-  if (behaviour_ != nullptr) {
-    if (sample.head().run() != run_) faults_.add(WireFaultReason::WrongRun);
-    return;
-  }
+  if (sample.head().run() == run_ && behaviour_ != nullptr) return;
+  // who waits may hear of a world that died, and then of its successor
+  if (state_ != State::Introducing) return faults_.add(WireFaultReason::WrongRun);
   const Checked<Mission> checked = from_wire(sample, {});
   if (!checked.ok()) return faults_.add(checked.fault().reason);
   run_ = sample.head().run();
+  if (tick_ && tick_->run != run_) tick_.reset();  // heard before it was known whose mission this is
   mission_ = checked.value();
-  for (const VehicleSpec& vehicle : mission_.vehicles) ids_.push_back(vehicle.id);
+  ids_ = ids_of(mission_);
+  sense_.reset();
+  heard_.clear();
   if (!std::ranges::binary_search(ids_, id_)) {
     state_ = State::TurnedAway;
     reason_ = fmt::format("the mission has no vehicle {}", id_);
@@ -92,23 +96,42 @@ void AgentSession::on_sample(const wire::Sense& sample, double /*now_s*/) {
   context.run = run_;
   Checked<Sense> checked = from_wire(sample, context);
   if (!checked.ok()) return faults_.add(checked.fault().reason);
-  if (checked.value().agent != id_) return faults_.add(WireFaultReason::UnknownAgent);
+  const Sense& sense = checked.value();
+  if (sense.agent != id_) return faults_.add(WireFaultReason::UnknownAgent);
+  if (state_ == State::Live && sense.incarnation != incarnation_) {
+    return faults_.add(WireFaultReason::WrongIncarnation);
+  }
+  if (sense.round > open_round() + 1) return faults_.add(WireFaultReason::OutOfRange);
+  if (sense_ && sense.round < sense_->round) return;  // a late copy
   sense_ = std::move(checked).value();
 }
 
 void AgentSession::on_sample(const wire::Representative& sample, double /*now_s*/) {
   WireContext context;
+  if (behaviour_ == nullptr) return faults_.add(WireFaultReason::WrongRun);  // no run is known yet
   context.known = ids_;
   context.run = run_;
   Checked<Representative> checked = from_wire(sample, context);
   if (!checked.ok()) return faults_.add(checked.fault().reason);
   Representative value = std::move(checked).value();
   if (value.agent == id_ || value.round < done_round_) return;  // a copy of what was used already
-  if (behaviour_ != nullptr && !behaviour_->can_use(value)) {
-    faults_.add(WireFaultReason::OutOfRange);
-    unusable_.insert({value.round, value.agent});
-  }
-  heard_.try_emplace({value.round, value.agent}, std::move(value));
+  if (value.round > open_round() + 1) return faults_.add(WireFaultReason::OutOfRange);
+  if (!may_count(value)) return faults_.add(WireFaultReason::WrongIncarnation);
+  const bool usable = behaviour_->can_use(value);
+  if (!usable) faults_.add(WireFaultReason::OutOfRange);
+  const auto [place, fresh] = heard_.try_emplace({value.round, value.agent}, value);
+  if (fresh) return;
+  // the first one stands, unless a peer's own planner cannot have published it or the roster has overtaken it
+  const bool stands = place->second.incarnation == value.incarnation && behaviour_->can_use(place->second);
+  if (!stands && usable) place->second = std::move(value);
+}
+
+bool AgentSession::may_count(const Representative& sample) const {
+  if (state_ != State::Live) return true;
+  const auto entry = std::ranges::find(tick_->roster, sample.agent, &RosterEntry::agent);
+  const bool ahead = sample.round > open_round();  // of a roster that is not here yet: who came back is newer
+  if (entry == tick_->roster.end()) return ahead;
+  return sample.incarnation == entry->incarnation || (ahead && sample.incarnation > entry->incarnation);
 }
 
 void AgentSession::introduce(double now_s) {
@@ -132,7 +155,7 @@ void AgentSession::follow_roster() {
     if (listed && behaviour_ != nullptr) {
       state_ = State::Live;
       incarnation_ = own->incarnation;
-    } else if (tick.phase == Phase::Finished) {
+    } else if (tick.phase == Phase::Finished && tick.run == run_) {
       state_ = State::TurnedAway;
       reason_ = fmt::format("the world ended before agent {} took part", id_);
     }
@@ -165,14 +188,14 @@ void AgentSession::answer(double now_s) {
   const Tick& tick = *tick_;
   std::vector<Representative> peers;
   for (const RosterEntry& entry : tick.roster) {
-    const std::pair key{tick.round - 1, entry.agent};
-    if (entry.agent != id_ && entry.representative && !unusable_.contains(key)) peers.push_back(heard_.at(key));
+    if (entry.agent == id_ || !entry.representative) continue;
+    const Representative& heard = heard_.at({tick.round - 1, entry.agent});
+    if (behaviour_->can_use(heard)) peers.push_back(heard);
   }
   const bool sensed = sense_ && sense_->round == tick.round;
   last_ = behaviour_->on_round({tick, sensed ? &*sense_ : nullptr, peers});
   done_round_ = tick.round;
   heard_.erase(heard_.begin(), heard_.lower_bound({tick.round, 0}));
-  unusable_.erase(unusable_.begin(), unusable_.lower_bound({tick.round, 0}));
   sent_ = std::exchange(last_.representative, std::nullopt);
   StateHash hash;
   behaviour_->add_to(hash);

@@ -11,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +57,10 @@ class AgentSession {
   void on_sample(const wire::Tick& sample, double now_s);
   void on_sample(const wire::Sense& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);
+  /// The round that the newest tick opens; peers and world are ahead of it by one at most.
+  [[nodiscard]] std::uint32_t open_round() const { return tick_ ? tick_->round : 0; }
+  /// Whether the roster, as far as it is known, lets the sample count.
+  [[nodiscard]] bool may_count(const Representative& sample) const;
   void introduce(double now_s);
   void follow_roster();
   [[nodiscard]] std::vector<Need> lacking() const;
@@ -81,7 +84,6 @@ class AgentSession {
   std::optional<Sense> sense_;
   /// By (round, agent), the last two rounds. One that the behaviour cannot use is heard, but counts as left out.
   std::map<std::pair<std::uint32_t, AgentId>, Representative> heard_;
-  std::set<std::pair<std::uint32_t, AgentId>> unusable_;
   std::uint32_t done_round_ = 0;
   std::vector<std::uint64_t> matched_;  ///< as last introduced
   RoundOutput last_;

@@ -52,10 +52,16 @@ void RunDisplay::show(const nlohmann::json& progress) {
   const std::string line = line_of(progress);
   if (line.empty()) return;
   const std::string phase = progress.at("phase");
+  if (stage_ == "waiting" && phase != "waiting") {
+    const int agents = progress.at("agents").get<int>();
+    const std::string whole = fmt::format("discovery: {} of {} agents", agents, agents);
+    if (last_line_ != whole) put(whole, true);  // the last agents came between two looks
+  }
   if (!stage_.empty() && stage_ != phase) end();
   const std::string mark = progress.at("mark");
   put(line, !terminal_ && mark != mark_);
   mark_ = mark;
+  last_line_ = line;
   stage_ = phase;
 }
 

@@ -27,7 +27,8 @@ class RunDisplay {
   bool terminal_;
   bool colour_;
   std::string stage_;  ///< phase of the last state shown
-  std::string mark_;   ///< what the last plain line was about
+  std::string last_line_;
+  std::string mark_;  ///< what the last plain line was about
   bool unfinished_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "groundstation/cli/run_display.hpp"
 #include "groundstation/cli/verbs.hpp"
@@ -24,18 +25,10 @@ using Json = nlohmann::ordered_json;
 
 struct RunArguments {
   WorldArguments world;
-  std::vector<std::string> set_texts;
-  std::vector<std::string> fault_texts;
   bool in_process = false;
   bool json = false;
   std::string roster;
 };
-
-void write_report(const std::string& folder, const Json& report) {
-  std::ofstream file(folder + "/report.json");
-  file << report.dump(2) << "\n";
-  if (!file) std::cerr << fmt::format("cannot write {}/report.json\n", folder);
-}
 
 std::string binaries_folder() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
@@ -43,13 +36,14 @@ std::string binaries_folder() {
 
 std::vector<std::string> world_arguments(const RunArguments& arguments, const std::string& folder) {
   std::vector<std::string> flags = arguments_of(arguments.world.common);
-  flags.insert(flags.end(), {arguments.world.scenario, "--out", folder});
+  flags.insert(flags.end(), {"--out", folder, "--settle-time", fmt::format("{}", arguments.world.settle_s)});
   if (arguments.world.seed) flags.insert(flags.end(), {"--seed", std::to_string(*arguments.world.seed)});
   if (arguments.world.fail_fast) flags.emplace_back("--fail-fast");
   for (const Override& item : arguments.world.overrides) {
     flags.insert(flags.end(), {"--set", item.key + "=" + item.value});
   }
   for (const Fault& fault : arguments.world.faults) flags.insert(flags.end(), {"--fault", text_of(fault)});
+  flags.insert(flags.end(), {"--", arguments.world.scenario});
   return flags;
 }
 
@@ -85,23 +79,41 @@ void complete(Json& report, const Launcher& launcher) {
   }
 }
 
-/// The exit code when the world left no report: it refused its arguments, or died.
+/// The exit code when the world left no report: it refused its arguments, or died. Says why in one line.
 int without_report(int wait_status, const Launcher& launcher, const std::string& folder) {
   if (launcher.signal()) return 128 + *launcher.signal();
-  std::ifstream log(folder + "/world.log");
-  std::cerr << log.rdbuf();
-  if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) != 0) return WEXITSTATUS(wait_status);
+  std::ifstream file(folder + "/world.log");
+  const std::string log{std::istreambuf_iterator<char>(file), {}};
+  const bool refused = WIFEXITED(wait_status) && WEXITSTATUS(wait_status) != 0;
+  if (refused && !log.empty()) {
+    std::cerr << log;
+    return WEXITSTATUS(wait_status);
+  }
   std::cerr << fmt::format("the world ended without a report: {} (log: {}/world.log)\n", describe_status(wait_status),
                            folder);
   return static_cast<int>(ExitCode::AgentLost);
 }
 
-int run_processes(RunArguments& arguments, RunDisplay& display) {
-  if (arguments.world.common.swarm.empty()) arguments.world.common.swarm = fmt::format("run-{:016x}", random_id());
-  const std::optional<Scenario> scenario = load_or_complain(arguments.world);
-  if (!scenario) return static_cast<int>(ExitCode::Usage);
-  const std::string folder = out_folder(arguments.world.out, scenario->mission.seed);
-  std::filesystem::create_directories(folder);
+/// Writes the report and shows it. @return the run's exit code, or 1 if the report could not be written or printed
+int deliver(const Json& report, const std::string& folder, const RunDisplay& display) {
+  const int exit_code = report["exit_code"].get<int>();
+  try {
+    write_json(folder + "/report.json", report);
+    display.result(report, folder);
+    if (!std::cout) throw std::runtime_error("cannot write to standard output");
+    return exit_code;
+  } catch (const std::exception& error) {
+    std::cerr << fmt::format("skein run: {}; the run: {}\n", error.what(), report["reason"].get<std::string>());
+    return exit_code == 0 ? static_cast<int>(ExitCode::Failed) : exit_code;
+  }
+}
+
+int run_processes(RunArguments& arguments, RunDisplay& display, const Scenario& scenario) {
+  if (arguments.world.common.swarm.empty()) {
+    arguments.world.common.swarm = fmt::format("run-{:016x}", random_id());
+    arguments.world.settle_s = 0.0;  // nobody else can have this swarm
+  }
+  const std::string folder = prepare_out(arguments.world.out, scenario);
   std::filesystem::remove(folder + "/report.json");
   Launcher launcher({binaries_folder(), folder, world_arguments(arguments, folder),
                      arguments_of(arguments.world.common), [&](const auto& state) { display.show(state); }});
@@ -111,43 +123,58 @@ int run_processes(RunArguments& arguments, RunDisplay& display) {
   Json report = Json::parse(file, nullptr, false);
   if (report.is_discarded()) return without_report(status, launcher, folder);
   complete(report, launcher);
-  write_report(folder, report);
-  display.result(report, folder);
-  return report["exit_code"].get<int>();
+  return deliver(report, folder, display);
 }
 
-int run_here(const RunArguments& arguments, RunDisplay& display) {
-  const std::optional<Scenario> scenario = load_or_complain(arguments.world);
-  if (!scenario) return static_cast<int>(ExitCode::Usage);
+nlohmann::json read_report(const std::string& path) {
+  std::ifstream file(path);
+  nlohmann::json report = nlohmann::json::parse(file, nullptr, false);
+  if (!report.is_object()) throw std::runtime_error(fmt::format("--roster {}: no readable report", path));
+  return report;
+}
+
+int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario& scenario) {
   InProcessOptions options;
   options.faults = arguments.world.faults;
   options.fail_fast = arguments.world.fail_fast;
+  std::string expected_hash;
   if (!arguments.roster.empty()) {
-    std::ifstream file(arguments.roster);
-    const auto other = nlohmann::json::parse(file, nullptr, false);
-    if (other.is_discarded())
-      throw std::runtime_error(fmt::format("--roster {}: no readable report", arguments.roster));
+    const nlohmann::json other = read_report(arguments.roster);
+    const std::string obstacle = replay_obstacle(other, scenario, options.fail_fast);
+    if (!obstacle.empty()) throw std::runtime_error(fmt::format("--roster {}: {}", arguments.roster, obstacle));
     options.replay = roster_changes_of(other);
+    expected_hash = other.value("state_hash", "");
   }
   const SignalWatch signals({SIGINT, SIGTERM});
   options.signal = [&] { return signals.take(); };
   ProgressFeed feed([&](const auto& progress, bool) { display.show(progress); });
   options.on_round = [&](const WorldSession& session) { feed.show(session, steady_now_s()); };
-  const std::string folder = out_folder(arguments.world.out, scenario->mission.seed);
-  prepare_out(folder, *scenario);
-  const InProcessResult result = run_in_process(*scenario, options);
+  const std::string folder = prepare_out(arguments.world.out, scenario);
+  InProcessResult result = run_in_process(scenario, options);
   display.end();
-  write_report(folder, result.report);
-  display.result(result.report, folder);
-  return result.exit_code;
+  if (!expected_hash.empty() && result.report["state_hash"] != expected_hash) {
+    result.report["reason"] = fmt::format("{}; the replay differs: state hash {} in {}",
+                                          result.report["reason"].get<std::string>(), expected_hash, arguments.roster);
+    result.report["success"] = false;
+    if (result.exit_code == 0) result.report["exit_code"] = static_cast<int>(ExitCode::Failed);
+  }
+  return deliver(result.report, folder, display);
 }
 
 int run(RunArguments& arguments) {
   RunDisplay display(arguments.json);
   try {
-    if (arguments.in_process) return run_here(arguments, display);
-    if (!arguments.roster.empty()) throw std::runtime_error("--roster replays in process: add --in-process");
-    return run_processes(arguments, display);
+    if (!arguments.roster.empty() && !arguments.in_process) {
+      throw std::runtime_error("--roster replays in process: add --in-process");
+    }
+    const std::optional<Scenario> scenario = load_or_complain(arguments.world);
+    if (!scenario) return static_cast<int>(ExitCode::Usage);
+    return arguments.in_process ? run_here(arguments, display, *scenario)
+                                : run_processes(arguments, display, *scenario);
+  } catch (const StartFailure& error) {
+    display.end();
+    std::cerr << "skein run: " << error.what() << "\n";
+    return static_cast<int>(ExitCode::StartUp);
   } catch (const std::exception& error) {
     display.end();
     std::cerr << "skein run: " << error.what() << "\n";

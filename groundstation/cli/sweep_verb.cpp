@@ -8,6 +8,7 @@
 
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/sweep/sweep.hpp"
+#include "groundstation/sweep/table.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/lockstep/run.hpp"
 #include "simworld/process/world_process.hpp"
@@ -41,12 +42,21 @@ std::vector<std::string> values_of(const std::string& list) {
   return values;
 }
 
-std::string title_of(const Json& row) {
-  std::string title;
-  for (const auto& [key, value] : row.at("set").items()) {
-    title += fmt::format("{}{}={}", title.empty() ? "" : ", ", key, value.get<std::string>());
+constexpr std::size_t kFailuresShown = 3;
+
+/// Several rows: side by side, with the first failures of each. What else there is, --json has.
+void print_side_by_side(const Json& rows, const Json& table) {
+  std::cout << text_of_table(table);
+  for (const Json& row : rows) {
+    const Json& failures = row.at("failures");
+    for (std::size_t i = 0; i < std::min(failures.size(), kFailuresShown); ++i) {
+      std::cout << fmt::format("{}: seed {} failed: {}\n", title_of(row), failures[i].at("seed").dump(),
+                               failures[i].at("reason").get<std::string>());
+    }
+    if (failures.size() > kFailuresShown) {
+      std::cout << fmt::format("{}: and {} more failed\n", title_of(row), failures.size() - kFailuresShown);
+    }
   }
-  return title.empty() ? "as in the scenario" : title;
 }
 
 void print_table(const Json& rows) {
@@ -79,6 +89,10 @@ SweepPlan plan_of(const SweepArguments& arguments) {
 
 int sweep(const SweepArguments& arguments) {
   SweepPlan plan = plan_of(arguments);
+  if (plan.first_seed + (plan.runs - 1) < plan.first_seed) {
+    std::cerr << fmt::format("--seed {}: {} runs from it go beyond 2^64 - 1\n", plan.first_seed, plan.runs);
+    return static_cast<int>(ExitCode::Usage);
+  }
   const SignalWatch signals({SIGINT, SIGTERM});
   std::optional<int> signal;
   plan.stop = [&] {
@@ -98,7 +112,12 @@ int sweep(const SweepArguments& arguments) {
     return static_cast<int>(ExitCode::Usage);
   }
   if (arguments.json) {
-    std::cout << Json{{"scenario", arguments.world.scenario}, {"rows", result.rows}}.dump(2) << "\n";
+    Json document{{"scenario", arguments.world.scenario}, {"complete", !result.stopped}};
+    document["table"] = table_of(result.rows);
+    document["rows"] = result.rows;
+    std::cout << document.dump(2) << "\n";
+  } else if (result.rows.size() > 1) {
+    print_side_by_side(result.rows, table_of(result.rows));
   } else {
     print_table(result.rows);
   }
@@ -120,6 +139,7 @@ VerbAction add_sweep_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("sweep", "run many seeds in this process, print statistics");
   add_scenario_options(*verb, arguments->world);
   verb->get_option("--set")->description("key=a,b,c: a scenario key and the values it takes in turn; may be repeated");
+  verb->get_option("--planner")->description("a,b,c: the same as --set planner.name=a,b,c");
   verb->get_option("--seed")->description("seed of the first run (0); run i has this seed + i");
   verb->add_option("--runs", arguments->runs, "runs of each combination")
       ->check(CLI::Range(1U, 10'000'000U))

@@ -59,7 +59,7 @@ class Harness final : public ProcessControl {
         options_.on_round(session_);
       }
     }
-    const ReportContext context{"in-process", signal, wall_};
+    const ReportContext context{"in-process", signal, bus_.overflowed(), wall_};
     return {make_report(session_, scenario_, context), exit_code_of(session_, context)};
   }
 

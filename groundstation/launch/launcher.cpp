@@ -1,9 +1,11 @@
 #include "groundstation/launch/launcher.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
+#include <cstring>
 
 #include "idl/process/poll.hpp"
 
@@ -18,10 +20,15 @@ constexpr double kWorldGrace_s = 8.0;  ///< for the world to end after a signal
 Launcher::Launcher(LaunchPlan plan) : plan_(std::move(plan)), signals_({SIGINT, SIGTERM, SIGCHLD}) {}
 
 int Launcher::run() {
+  for (const char* name : {"/skein-simworld", "/skein-agent"}) {
+    if (access((plan_.binaries + name).c_str(), X_OK) != 0) {
+      throw StartFailure(fmt::format("cannot start {}{}: {}", plan_.binaries, name, std::strerror(errno)));
+    }
+  }
   auto [near, far] = ControlChannel::pair();
   channel_ = std::make_unique<ControlChannel>(std::move(near));
   std::vector<std::string> arguments = plan_.world_arguments;
-  arguments.insert(arguments.end(), {"--control-fd", std::to_string(far.fd())});
+  arguments.insert(arguments.begin(), {"--control-fd", std::to_string(far.fd())});
   world_ = std::make_unique<Child>(plan_.binaries + "/skein-simworld", arguments, plan_.out + "/world.log", far.fd());
   far.close();
   while (world_->running()) {

@@ -10,12 +10,18 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "groundstation/launch/child.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/control/control_channel.hpp"
 
 namespace skein {
+
+/// The processes cannot be started: one line says why.
+struct StartFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct LaunchPlan {
   std::string binaries;                      ///< folder of skein-simworld and skein-agent
@@ -37,7 +43,7 @@ class Launcher {
   /// Blocks SIGINT, SIGTERM and SIGCHLD: construct it before any thread.
   explicit Launcher(LaunchPlan plan);
 
-  /// Runs until every process has ended. @return the world's wait status
+  /// Runs until every process has ended. @return the world's wait status. @throws StartFailure
   int run();
 
   [[nodiscard]] const std::map<unsigned, AgentProcess>& agents() const { return records_; }

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "groundstation/inprocess/in_process.hpp"
+#include "planner/rendezvous/point_separation.hpp"
 
 namespace skein {
 namespace {
@@ -23,13 +24,29 @@ Scenario load(const SweepPlan& plan, const std::vector<Override>& set, std::uint
   return std::get<Scenario>(std::move(result));
 }
 
+/// Separations of the plan at the planner's own points; none without a plan.
+void add_planned_separations(const Mission& mission, const Json& report, Json& figures) {
+  if (report.at("plan_feasible") != true) return;
+  std::vector<rendezvous::PlannedPath> paths;
+  for (const Json& vehicle : report.at("vehicles")) {
+    auto particle = vehicle.at("particle").get<std::vector<double>>();
+    if (!particle.empty()) paths.push_back({vehicle.at("id").get<AgentId>(), std::move(particle)});
+  }
+  for (const rendezvous::PointSeparation& pair : rendezvous::point_separations(mission, paths)) {
+    figures["separations." + std::to_string(pair.a) + "-" + std::to_string(pair.b) + ".planned_m"] = pair.least_m;
+  }
+}
+
 Json run_of(const Scenario& scenario) {
   const InProcessResult result = run_in_process(scenario, {});
   Json run{{"seed", scenario.mission.seed},
            {"exit_code", result.exit_code},
            {"state_hash", result.report.at("state_hash")},
-           {"reason", result.report.at("reason")}};
+           {"reason", result.report.at("reason")},
+           {"plan_feasible", result.report.at("plan_feasible")},
+           {"plan_success", result.report.at("plan_success")}};
   run["figures"] = figures_of(result.report);
+  add_planned_separations(scenario.mission, result.report, run["figures"]);
   return run;
 }
 
@@ -89,12 +106,17 @@ Json figures_of(const Json& report) {
     }
   }
   figures["longest_path_m"] = longest_m;
+  for (const Json& pair : report.at("separations")) {
+    if (!pair.at("flown_m").is_number()) continue;
+    figures["separations." + pair.at("a").dump() + "-" + pair.at("b").dump() + ".flown_m"] = pair.at("flown_m");
+  }
   return figures;
 }
 
 SweepResult run_sweep(const SweepPlan& plan) {
   const auto combinations = combinations_of(plan.keys);
   std::vector<Scenario> scenarios;
+  scenarios.reserve(combinations.size());
   for (const auto& set : combinations) scenarios.push_back(load(plan, set, plan.first_seed));
   const std::size_t total = combinations.size() * plan.runs;
   std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));

@@ -32,14 +32,16 @@ struct SweepPlan {
 
 struct SweepResult {
   bool stopped = false;
-  /// One per combination: set, runs, success_rate, failures, figures {name: mean, sd, min, p50, p95, max}, per_run.
+  /// One per combination: set, runs, success_rate, failures, figures {name: mean, sd, min, p50, p95, max}, per_run
+  /// (seed, exit_code, state_hash, reason, plan_feasible, plan_success, figures).
   nlohmann::ordered_json rows;
 };
 
 /// Every combination of the plan's values, as overrides; one empty combination if there are no keys.
 [[nodiscard]] std::vector<std::vector<Override>> combinations_of(const std::vector<SweptKey>& keys);
 
-/// The figures of one report: its numbers, those of its vehicles by id, and longest_path_m.
+/// The figures of one report: its numbers, those of its vehicles by id and of its pairs of vehicles, and
+/// longest_path_m.
 [[nodiscard]] nlohmann::ordered_json figures_of(const nlohmann::ordered_json& report);
 
 /// mean, sd (n - 1), min, p50, p95 (nearest rank), max. @pre values is not empty

@@ -24,6 +24,13 @@ wire::RendezvousPlanner wire_options(const RendezvousOptions& options) {
   out.clearance_margin_m(options.clearance_margin_m);
   out.equalise_directions(options.equalise_directions);
   out.equalise_rounds(options.equalise_rounds);
+  out.cooperate(options.cooperate);
+  out.own_reference(options.own_reference);
+  out.refresh_costs(options.refresh_costs);
+  out.equalise(options.equalise);
+  out.length_tolerance_m(options.length_tolerance_m);
+  out.crossover_probability(options.crossover_probability);
+  out.mutation_probability(options.mutation_probability);
   return out;
 }
 
@@ -48,6 +55,13 @@ RendezvousOptions plain_options(const wire::RendezvousPlanner& options) {
   out.clearance_margin_m = options.clearance_margin_m();
   out.equalise_directions = options.equalise_directions();
   out.equalise_rounds = options.equalise_rounds();
+  out.cooperate = options.cooperate();
+  out.own_reference = options.own_reference();
+  out.refresh_costs = options.refresh_costs();
+  out.equalise = options.equalise();
+  out.length_tolerance_m = options.length_tolerance_m();
+  out.crossover_probability = options.crossover_probability();
+  out.mutation_probability = options.mutation_probability();
   return out;
 }
 

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "planner/rendezvous/point_separation.hpp"
+
 namespace skein::rendezvous {
 namespace {
 
@@ -40,8 +42,10 @@ PlanRound PlannerIn<Space>::advance(std::span<const Representative> peers) {
   check(peers);
   if (swarm_.generation() < problem_.options.generations) {
     search(peers);
-  } else {
+  } else if (problem_.options.equalise != 0) {
     align(peers);
+  } else {
+    conclude(peers);
   }
   return round_;
 }
@@ -75,11 +79,13 @@ void PlannerIn<Space>::check(std::span<const Representative> peers) const {
 
 template <typename Space>
 std::optional<double> PlannerIn<Space>::reference_length_m(std::span<const Representative> peers) const {
-  double longest_m = round_.representative.own_length_m;
+  const auto length =
+      problem_.options.own_reference != 0 ? &Representative::own_length_m : &Representative::path_length_m;
+  double longest_m = round_.representative.*length;
   AgentId holder = problem_.own().id;
   for (const Representative& peer : peers) {
-    if (peer.own_length_m > longest_m || (peer.own_length_m == longest_m && peer.agent < holder)) {
-      longest_m = peer.own_length_m;
+    if (peer.*length > longest_m || (peer.*length == longest_m && peer.agent < holder)) {
+      longest_m = peer.*length;
       holder = peer.agent;
     }
   }
@@ -89,6 +95,7 @@ std::optional<double> PlannerIn<Space>::reference_length_m(std::span<const Repre
 
 template <typename Space>
 void PlannerIn<Space>::search(std::span<const Representative> peers) {
+  if (problem_.options.cooperate == 0) peers = {};
   std::vector<PeerPath> paths;
   paths.reserve(peers.size());
   for (const Representative& peer : peers) {
@@ -114,6 +121,45 @@ void PlannerIn<Space>::align(std::span<const Representative> peers) {
     round_.status = PlanStatus::Failed;
     round_.failed_constraint = aligner_->violated();
     round_.failed_peer = aligner_->violated_peer();
+  }
+}
+
+/// The end without equalisation: the group best is flown if all have judged all to be feasible.
+template <typename Space>
+void PlannerIn<Space>::conclude(std::span<const Representative> peers) {
+  judge(peers);
+  Representative& out = round_.representative;
+  out.violated = round_.failed_constraint;
+  out.stage = PlanStage::Settled;
+  if (round_.failed_constraint != Constraint::None) {
+    round_.status = PlanStatus::Failed;
+  } else {
+    round_.status = PlanStatus::Ready;
+    path_ = problem_.own().hermite.path(swarm_.best().controls);
+  }
+}
+
+/// Own constraints before those that a peer names, those before separations: of this UAV first, then of any pair.
+template <typename Space>
+void PlannerIn<Space>::judge(std::span<const Representative> peers) {
+  const auto blame = [&](Constraint constraint, AgentId peer) {
+    round_.failed_constraint = constraint;
+    round_.failed_peer = peer;
+  };
+  const auto alone = [](Constraint violated) {
+    return violated != Constraint::Separation ? violated : Constraint::None;
+  };
+  const AgentId self = problem_.own().id;
+  const Constraint own = alone(round_.representative.violated);
+  if (own != Constraint::None) return blame(own, 0);
+  for (const Representative& peer : peers) {
+    if (alone(peer.violated) != Constraint::None) return blame(peer.violated, peer.agent);
+  }
+  if (problem_.options.cooperate == 0) return;
+  std::vector<PlannedPath> paths{{self, round_.representative.particle}};
+  for (const Representative& peer : peers) paths.push_back({peer.agent, peer.particle});
+  for (const PointSeparation& pair : point_separations(problem_, std::span<const PlannedPath>(paths))) {
+    if (pair.least_m < pair.required_m) return blame(Constraint::Separation, pair.a == self ? pair.b : pair.a);
   }
 }
 

@@ -3,8 +3,11 @@
 // Rounds 0 .. T are generations of the sub-swarm (Searching); then the swarm aligns path lengths (Aligning, Settled).
 // Every round maps (own state, the peers' representatives of the round before) to a representative; nothing else
 // enters, so all live UAVs reach Ready or Failed in the same round and two carriers give the same bits.
-// The reference length of Eq. 16 is the longest among the representatives' own-fitness lengths; of equal ones that of
-// the lowest id counts.
+// The reference length of Eq. 16 is the longest among the representatives' own-fitness lengths (own_reference 0: among
+// their path lengths); of equal ones that of the lowest id counts. With `cooperate` 0 no peer counts in the search.
+//
+// With `equalise` 0 nothing is aligned: in round T + 1 everybody has everybody's last representative, judges all of
+// them alike at the paper's points, and is Ready with its own, or Failed if anyone's violates a constraint.
 //
 // Source: papers/001, section 3.2.5 (steps 1-6) and Remark 3. Departs from source: see swarm/sub_swarm.hpp and
 // align/aligner.hpp. Complexity: a generation costs O(M (evaluation + Np peers)).
@@ -19,13 +22,13 @@
 #include "planner/core/mission/mission.hpp"
 #include "planner/rendezvous/align/aligner.hpp"
 #include "planner/rendezvous/cost/problem.hpp"
-#include "planner/rendezvous/swarm/sub_swarm.hpp"
+#include "planner/rendezvous/swarm/search.hpp"
 
 namespace skein::rendezvous {
 
 enum class PlanStatus : std::uint8_t {
   Planning,  ///< rounds go on
-  Ready,     ///< all live UAVs hold feasible paths of one length
+  Ready,     ///< all live UAVs hold feasible paths, and with `equalise` of one length
   Failed,    ///< the rounds are used up without a feasible set
 };
 
@@ -43,7 +46,7 @@ class PlannerIn {
  public:
   using Problem = ProblemIn<Space>;
   using Participant = ParticipantIn<Space>;
-  using SubSwarm = SubSwarmIn<Space>;
+  using Search = SearchIn<Space>;
   using PeerPath = PeerPathIn<Space>;
   using Evaluation = EvaluationIn<Space>;
   using Aligner = AlignerIn<Space>;
@@ -66,7 +69,7 @@ class PlannerIn {
   [[nodiscard]] const Path& path() const;
 
   [[nodiscard]] const Problem& problem() const { return problem_; }
-  [[nodiscard]] const SubSwarm& swarm() const { return swarm_; }
+  [[nodiscard]] const Search& swarm() const { return swarm_; }
 
   /// Everything that decides later behaviour.
   void add_to(StateHash& hash) const;
@@ -75,12 +78,14 @@ class PlannerIn {
   void check(std::span<const Representative> peers) const;
   void search(std::span<const Representative> peers);
   void align(std::span<const Representative> peers);
+  void conclude(std::span<const Representative> peers);
+  void judge(std::span<const Representative> peers);
   [[nodiscard]] std::optional<double> reference_length_m(std::span<const Representative> peers) const;
   void report_search();
   void report_alignment();
 
   Problem problem_;
-  SubSwarm swarm_;
+  Search swarm_;
   bool started_ = false;
   std::optional<Aligner> aligner_;
   PlanRound round_;

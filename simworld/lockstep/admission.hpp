@@ -22,10 +22,11 @@ class Admission {
 
   /// Takes an introduction (incarnation 0) that arrived at `now_s`.
   void introduce(const Beacon& beacon, double now_s);
-  /// A process said goodbye or is known to have ended before the start.
+  /// A process said goodbye, or is known to have ended: it no longer holds its id.
   void forget(std::uint64_t nonce);
   /// Refuses every newcomer from now on: the roster is fixed.
   void close() { closed_ = true; }
+  [[nodiscard]] bool closed() const { return closed_; }
 
   /// Vehicles whose agent has introduced itself.
   [[nodiscard]] std::size_t introduced() const { return holders_.size(); }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "planner/core/lockstep/names.hpp"
@@ -22,7 +23,12 @@ const Beacon& beacon_of(const Barrier& answers, AgentId agent) {
   return *answer->beacon;
 }
 
-std::string planning_failure(const Beacon& beacon) {
+/// A beacon of a failed agent may name another one: the peer of its separation, or the agent whose constraint fails.
+std::string planning_failure(const Barrier& answers, const Beacon& first) {
+  const Answer* other = answers.answer_of(first.constraint_peer);
+  const bool follow = other != nullptr && other->beacon && other->beacon->mode == AgentMode::Failed &&
+                      other->beacon->constraint_peer != first.agent;
+  const Beacon& beacon = follow ? *other->beacon : first;
   std::string text =
       fmt::format("planning failed: agent {} cannot satisfy {}", beacon.agent, name_of(beacon.constraint));
   if (beacon.constraint == Constraint::Separation) text += fmt::format(" with agent {}", beacon.constraint_peer);
@@ -38,13 +44,15 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
       fail_fast_(fail_fast),
       world_(mission, options.on_agent_loss),
       hash_(mission_hash(mission)) {
-  for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({vehicle.id, 0.0, 0.0, 0});
+  for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({.agent = vehicle.id});
 }
 
-Tick Run::begin(std::vector<RosterEntry> roster) {
+Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost) {
   roster_ = std::move(roster);
   phase_ = Phase::Planning;
   round_ = 1;
+  drop(lost);
+  date_changes(0);
   return compose(nullptr);
 }
 
@@ -60,22 +68,22 @@ Tick Run::decide(const Barrier& answers, std::span<const Loss> lost) {
   if (phase_ != Phase::Planning && phase_ != Phase::Flying) throw std::logic_error("no round is open");
   const std::size_t known = changes_.size();
   drop(lost);
-  if (roster_.empty()) {
-    finish("no agent is left");
-  } else if (fail_fast_ && changes_.size() > known) {
-    finish("ended at the first loss");
-  } else if (phase_ == Phase::Planning) {
+  if (phase_ == Phase::Planning) {
     decide_planning(answers);
-  } else {
+  } else if (phase_ == Phase::Flying) {
     decide_flight(answers);
   }
   fold_hash(answers);
   ++round_;
+  date_changes(known);
+  return compose(&answers);
+}
+
+void Run::date_changes(std::size_t known) {
   for (std::size_t i = known; i < changes_.size(); ++i) {
     changes_[i].step = step_;
     changes_[i].round = round_;
   }
-  return compose(&answers);
 }
 
 void Run::drop(std::span<const Loss> lost) {
@@ -86,14 +94,32 @@ void Run::drop(std::span<const Loss> lost) {
     roster_.erase(found);
     world_.lose_agent(loss.agent);
   }
+  if (roster_.empty()) {
+    finish("no agent is left");
+  } else if (fail_fast_ && !changes_.empty()) {
+    finish("ended at the first loss");
+  }
 }
 
 void Run::note_plan(const Barrier& answers) {
   for (const RosterEntry& entry : roster_) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
     const auto figures = std::ranges::find(plan_, entry.agent, &PlanFigures::agent);
-    *figures = {entry.agent, beacon.planned_length_m, beacon.cost, beacon.generation};
+    *figures = {entry.agent, beacon.planned_length_m, beacon.cost, beacon.generation, std::move(figures->particle)};
+    const auto& published = answers.answer_of(entry.agent)->representative;
+    if (published) figures->particle = published->particle;
   }
+}
+
+void Run::note_spread() {
+  double least_m = std::numeric_limits<double>::infinity();
+  double most_m = 0.0;
+  for (const RosterEntry& entry : roster_) {
+    const double length_m = std::ranges::find(plan_, entry.agent, &PlanFigures::agent)->length_m;
+    least_m = std::min(least_m, length_m);
+    most_m = std::max(most_m, length_m);
+  }
+  plan_spread_m_ = most_m - least_m;
 }
 
 void Run::decide_planning(const Barrier& answers) {
@@ -102,10 +128,11 @@ void Run::decide_planning(const Barrier& answers) {
   bool ready = true;
   for (const RosterEntry& entry : roster_) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
-    if (beacon.mode == AgentMode::Failed) return finish(planning_failure(beacon));
+    if (beacon.mode == AgentMode::Failed) return finish(planning_failure(answers, beacon));
     ready = ready && beacon.mode == AgentMode::Ready;
   }
   if (ready) {
+    note_spread();
     phase_ = Phase::Flying;
     step_ = 1;
   } else if (round_ >= options_.max_rounds) {

@@ -47,6 +47,7 @@ struct PlanFigures {
   double length_m = 0.0;
   double cost = 0.0;
   std::uint32_t generation = 0;
+  std::vector<double> particle = {};  ///< of the representative that was published last
 };
 
 class Run {
@@ -55,8 +56,8 @@ class Run {
   /// @throws std::invalid_argument for an empty mission.
   Run(std::uint64_t run, const Mission& mission, const WorldOptions& options, bool fail_fast);
 
-  /// The tick of round 1. @pre `roster` holds every vehicle's agent, ascending.
-  [[nodiscard]] Tick begin(std::vector<RosterEntry> roster);
+  /// The tick of round 1. @pre `roster` holds every vehicle's agent, ascending; some may be `lost` already.
+  [[nodiscard]] Tick begin(std::vector<RosterEntry> roster, std::span<const Loss> lost = {});
 
   /// When the next tick will be, as far as the answers tell without those of `lost`.
   [[nodiscard]] Moment next(const Barrier& answers, std::span<const Loss> lost) const;
@@ -74,6 +75,8 @@ class Run {
   [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
   [[nodiscard]] const std::vector<RosterChange>& changes() const { return changes_; }
   [[nodiscard]] const std::vector<PlanFigures>& plan() const { return plan_; }
+  /// Largest difference (m) of the lengths that the swarm set out to fly; nothing if planning did not end in a plan.
+  [[nodiscard]] std::optional<double> plan_spread_m() const { return plan_spread_m_; }
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
   /// What the run came to. @pre finished().
@@ -81,9 +84,11 @@ class Run {
 
  private:
   void drop(std::span<const Loss> lost);
+  void date_changes(std::size_t known);
   void decide_planning(const Barrier& answers);
   void decide_flight(const Barrier& answers);
   void note_plan(const Barrier& answers);
+  void note_spread();
   void fold_hash(const Barrier& answers);
   void finish(std::string failure);
   [[nodiscard]] Tick compose(const Barrier* answers) const;
@@ -103,6 +108,7 @@ class Run {
   std::vector<RosterEntry> roster_;
   std::vector<RosterChange> changes_;
   std::vector<PlanFigures> plan_;
+  std::optional<double> plan_spread_m_;
   std::string failure_;
 };
 

@@ -10,6 +10,15 @@
 namespace skein {
 namespace {
 
+/// A zone in the words of the scenario: its place among the obstacles or among the no-fly zones, from 1.
+std::string zone_name(const Mission& mission, std::size_t index) {
+  const bool no_fly = mission.zones[index].no_fly;
+  const auto place =
+      std::count_if(mission.zones.begin(), mission.zones.begin() + static_cast<std::ptrdiff_t>(index) + 1,
+                    [&](const Zone& zone) { return zone.no_fly == no_fly; });
+  return fmt::format("{}.{}", no_fly ? "no_fly" : "obstacles", place);
+}
+
 std::string describe(const Contact& contact, const Mission& mission) {
   switch (contact.kind) {
     case ContactKind::Vehicles:
@@ -20,8 +29,8 @@ std::string describe(const Contact& contact, const Mission& mission) {
     case ContactKind::Terrain:
       return fmt::format("vehicle {} touched the terrain at step {}", contact.vehicle, contact.step);
     default:
-      return fmt::format("vehicle {} touched {} {} at step {}", contact.vehicle,
-                         mission.zones[contact.other].no_fly ? "no-fly zone" : "obstacle", contact.other, contact.step);
+      return fmt::format("vehicle {} touched {} at step {}", contact.vehicle, zone_name(mission, contact.other),
+                         contact.step);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace skein {
 namespace {
@@ -12,12 +13,7 @@ namespace {
 constexpr double kWaitingTick_s = 0.5;
 constexpr double kResend_s = 1.0;
 constexpr double kGoodbye_s = 2.0;  ///< how long the final tick waits for its answers
-
-std::vector<AgentId> ids_of(const Mission& mission) {
-  std::vector<AgentId> ids;
-  for (const VehicleSpec& vehicle : mission.vehicles) ids.push_back(vehicle.id);
-  return ids;
-}
+constexpr double kAway_s = 1.0;     ///< between two polls: the world itself was stopped, not the agents
 
 }  // namespace
 
@@ -35,7 +31,7 @@ WorldSession::WorldSession(const Scenario& scenario, SessionOptions options, bus
   }
   times_.created_s = now_s;
   tick_.run = options_.run;
-  send(mission_, topics_.mission, now_s);
+  if (options_.settle_s <= 0.0) publish_mission(now_s);
 }
 
 template <typename Value>
@@ -48,6 +44,8 @@ void WorldSession::send(const Value& value, TopicCount& count, double now_s) {
 
 void WorldSession::poll(double now_s) {
   if (state_ == State::Done) return;
+  if (last_poll_s_ && now_s - *last_poll_s_ > kAway_s) away_s_ += now_s - *last_poll_s_;
+  last_poll_s_ = now_s;
   take(now_s);
   switch (state_) {
     case State::Waiting:
@@ -62,8 +60,10 @@ void WorldSession::poll(double now_s) {
 }
 
 double WorldSession::idle_s(double now_s) const {
-  const double period_s = state_ == State::Waiting ? kWaitingTick_s : kResend_s;
-  return std::clamp(last_sent_s_ + period_s - now_s, 0.0, kWaitingTick_s);
+  double due_s = last_sent_s_ + (state_ == State::Waiting ? kWaitingTick_s : kResend_s);
+  if (state_ == State::Running && !awaited_.empty()) due_s = awaited_since_s_ + deadline_s_;
+  if (state_ == State::Closing) due_s = barrier_.opened_s() + kGoodbye_s;
+  return std::clamp(due_s - now_s, 0.0, kWaitingTick_s);
 }
 
 void WorldSession::take(double now_s) {
@@ -82,8 +82,11 @@ void WorldSession::on_sample(const wire::Beacon& sample, double now_s) {
   if (!checked.ok()) return faults_.add(checked.fault().reason);
   const Beacon& beacon = checked.value();
   if (beacon.mode == AgentMode::Leaving) {
-    if (state_ == State::Waiting) return admission_.forget(beacon.nonce);
-    return add_loss(beacon.agent, LossReason::Left);
+    if (!admission_.closed()) return admission_.forget(beacon.nonce);
+    // the goodbye of a process that was never admitted, under an id that another one holds, loses nobody
+    const auto entry = std::ranges::find(tick_.roster, beacon.nonce, &RosterEntry::nonce);
+    if (entry != tick_.roster.end() && entry->agent == beacon.agent) add_loss(beacon.agent, LossReason::Left);
+    return;
   }
   if (beacon.incarnation == 0) return admission_.introduce(beacon, now_s);
   if (!beacon.closes_round) return serve_needs(beacon, now_s);
@@ -115,13 +118,16 @@ void WorldSession::serve_needs(const Beacon& beacon, double now_s) {
 }
 
 void WorldSession::poll_waiting(double now_s) {
-  world_matched_ = port_.matched();
-  if (auto roster = admission_.roster(world_matched_)) {
-    admission_.close();
-    state_ = State::Running;
-    times_.started_s = now_s;
-    return open(run_.begin(std::move(*roster)), now_s);
+  if (topics_.mission.samples == 0) {
+    if (now_s - times_.created_s < options_.settle_s) return;
+    publish_mission(now_s);
   }
+  world_matched_ = port_.matched();
+  if (const auto roster = admission_.roster(world_matched_); roster && !admission_.closed()) {
+    admission_.close();
+    tick_.roster = *roster;
+  }
+  if (admission_.closed()) return start(now_s);
   if (now_s - times_.created_s > options_.startup_timeout_s) {
     const std::string missing = fmt::format("{}", fmt::join(admission_.missing(world_matched_), ", "));
     return refuse_start(fmt::format("start-up timed out after {} s: {} of {} agents matched; missing: {}",
@@ -131,10 +137,21 @@ void WorldSession::poll_waiting(double now_s) {
   if (now_s - last_sent_s_ >= kWaitingTick_s) publish_tick(now_s);
 }
 
+/// Opens round 1, unless a fault on purpose holds it.
+void WorldSession::start(double now_s) {
+  if (held_by_fault({Phase::Planning, 1}, now_s)) return;
+  replay_losses(1);
+  state_ = State::Running;
+  times_.started_s = now_s;
+  const Tick first = run_.begin(tick_.roster, std::exchange(lost_, {}));
+  if (first.phase == Phase::Finished) close(now_s);
+  open(first, now_s);
+}
+
 void WorldSession::poll_running(double now_s) {
   drop_silent(now_s);
   if (!awaited_.empty() || barrier_.complete()) {
-    if (!held_by_fault(now_s)) advance(now_s);
+    if (!held_by_fault(run_.next(barrier_, lost_), now_s)) advance(now_s);
   } else if (now_s - last_sent_s_ >= kResend_s) {
     publish_tick(now_s);
     for (const AgentId agent : barrier_.waiting_for()) {
@@ -149,7 +166,7 @@ void WorldSession::poll_closing(double now_s) {
 }
 
 void WorldSession::drop_silent(double now_s) {
-  if (!awaited_.empty() || now_s - barrier_.opened_s() < deadline_s_) return;
+  if (!awaited_.empty() || now_s - barrier_.opened_s() - away_s_ < deadline_s_) return;
   for (const AgentId agent : barrier_.waiting_for()) add_loss(agent, LossReason::Deadline);
 }
 
@@ -162,7 +179,7 @@ void WorldSession::add_loss(AgentId agent, LossReason reason) {
 
 void WorldSession::process_ended(AgentId agent, double now_s) {
   std::erase_if(awaited_, [&](const Fault& fault) { return fault.agent == agent; });
-  if (state_ == State::Waiting) {
+  if (!admission_.closed()) {
     lost_before_start_ = true;
     refuse_start(fmt::format("agent {} ended before the run started", agent), now_s);
   } else {
@@ -170,8 +187,7 @@ void WorldSession::process_ended(AgentId agent, double now_s) {
   }
 }
 
-bool WorldSession::held_by_fault(double now_s) {
-  const Moment moment = run_.next(barrier_, lost_);
+bool WorldSession::held_by_fault(const Moment& moment, double now_s) {
   for (auto fault = options_.faults.begin(); fault != options_.faults.end();) {
     const bool due = Moment{fault->phase, fault->at} == moment;
     const bool live = std::ranges::find(tick_.roster, fault->agent, &RosterEntry::agent) != tick_.roster.end();
@@ -180,7 +196,7 @@ bool WorldSession::held_by_fault(double now_s) {
       awaited_since_s_ = now_s;
       control_->kill(fault->agent);
     }
-    fault = due ? options_.faults.erase(fault) : std::next(fault);
+    fault = due && live ? options_.faults.erase(fault) : std::next(fault);
   }
   if (!awaited_.empty() && now_s - awaited_since_s_ > deadline_s_) {
     interrupt(fmt::format("the fault on agent {} took no effect within {} s", awaited_.front().agent, deadline_s_),
@@ -190,36 +206,49 @@ bool WorldSession::held_by_fault(double now_s) {
   return !awaited_.empty();
 }
 
-void WorldSession::replay_losses() {
-  for (const RosterChange& change : options_.replay) {
-    if (change.round == run_.rounds() + 1) add_loss(change.agent, change.reason);
-  }
+void WorldSession::replay_losses(std::uint32_t round) {
+  std::erase_if(options_.replay, [&](const RosterChange& change) {
+    if (change.round != round) return false;
+    const auto entry = std::ranges::find(tick_.roster, change.agent, &RosterEntry::agent);
+    if (entry == tick_.roster.end() || entry->incarnation != change.incarnation) return false;
+    add_loss(change.agent, change.reason);
+    return true;
+  });
 }
 
 void WorldSession::advance(double now_s) {
-  replay_losses();
+  replay_losses(run_.rounds() + 1);
   repeatable_.clear();
   for (const RosterEntry& entry : tick_.roster) {
     const Answer* answer = barrier_.answer_of(entry.agent);
     if (answer->representative) repeatable_[entry.agent] = *answer->representative;
   }
   const Tick next = run_.decide(barrier_, lost_);
-  lost_.clear();
-  if (next.phase == Phase::Flying && times_.flying_s < 0.0) times_.flying_s = now_s;
-  if (next.phase == Phase::Finished) {
-    times_.finished_s = now_s;
-    state_ = State::Closing;
+  for (const Loss& loss : std::exchange(lost_, {})) {
+    admission_.forget(std::ranges::find(tick_.roster, loss.agent, &RosterEntry::agent)->nonce);
   }
+  if (next.phase == Phase::Flying && times_.flying_s < 0.0) times_.flying_s = now_s;
+  if (next.phase == Phase::Finished) close(now_s);
   open(next, now_s);
+}
+
+void WorldSession::close(double now_s) {
+  times_.finished_s = now_s;
+  state_ = State::Closing;
 }
 
 void WorldSession::open(const Tick& tick, double now_s) {
   tick_ = tick;
+  away_s_ = 0.0;
   barrier_.open(tick_, now_s);
   for (const RosterEntry& entry : tick_.roster) {
     if (entry.sense) publish_sense(entry, now_s);
   }
   publish_tick(now_s);
+}
+
+void WorldSession::publish_mission(double now_s) {
+  send(mission_, topics_.mission, now_s);
 }
 
 void WorldSession::publish_tick(double now_s) {
@@ -249,8 +278,8 @@ void WorldSession::refuse_start(const std::string& reason, double now_s) {
 void WorldSession::interrupt(std::string reason, double now_s) {
   if (state_ == State::Closing || state_ == State::Done) return;
   interrupted_ = std::move(reason);
-  times_.finished_s = now_s;
-  state_ = State::Closing;
+  close(now_s);
+  if (topics_.mission.samples == 0) return give_up();  // nobody has heard of this run
   Tick last = tick_;
   last.phase = Phase::Finished;
   ++last.round;

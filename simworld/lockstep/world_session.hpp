@@ -33,6 +33,7 @@ struct SessionOptions {
   std::uint64_t run = 0;    ///< id of the run, not 0
   std::uint64_t nonce = 0;  ///< the world's own, as its port announces it
   double startup_timeout_s = 30.0;
+  double settle_s = 0.0;  ///< silence before the mission is published, in which another world may be found
   bool fail_fast = false;
   std::vector<Fault> faults;
   std::vector<RosterChange> replay;  ///< losses of another run, repeated at the same rounds
@@ -90,6 +91,10 @@ class WorldSession {
   [[nodiscard]] const TopicCounts& topics() const { return topics_; }
   [[nodiscard]] const PhaseTimes& times() const { return times_; }
   [[nodiscard]] const FaultCounts& refused_samples() const { return faults_; }
+  /// Faults on purpose, and losses to be repeated, whose moment never came. Once the run is over.
+  [[nodiscard]] const std::vector<Fault>& unused_faults() const { return options_.faults; }
+  [[nodiscard]] const std::vector<RosterChange>& unused_losses() const { return options_.replay; }
+  [[nodiscard]] bool fail_fast() const { return options_.fail_fast; }
   [[nodiscard]] std::uint64_t run_id() const { return options_.run; }
 
  private:
@@ -102,10 +107,13 @@ class WorldSession {
   void poll_closing(double now_s);
   void drop_silent(double now_s);
   void add_loss(AgentId agent, LossReason reason);
-  [[nodiscard]] bool held_by_fault(double now_s);
-  void replay_losses();
+  [[nodiscard]] bool held_by_fault(const Moment& moment, double now_s);
+  void replay_losses(std::uint32_t round);
+  void start(double now_s);
+  void close(double now_s);
   void advance(double now_s);
   void open(const Tick& tick, double now_s);
+  void publish_mission(double now_s);
   void publish_tick(double now_s);
   void publish_sense(const RosterEntry& entry, double now_s);
   template <typename Value>
@@ -126,6 +134,8 @@ class WorldSession {
   std::vector<Fault> awaited_;                    ///< ordered, effect not yet confirmed
   double awaited_since_s_ = 0.0;
   double last_sent_s_ = -1e9;
+  std::optional<double> last_poll_s_;
+  double away_s_ = 0.0;  ///< time since the open tick in which nobody polled: it counts against no agent
   std::vector<std::uint64_t> world_matched_;
   std::vector<bus::WorldInbound> inbox_;
   std::string start_failure_;

@@ -1,6 +1,7 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
+#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -14,8 +15,10 @@ namespace {
 
 /// CLI11 alone would take -1 for 2^64 - 1.
 std::string check_whole(const std::string& text) {
-  const bool digits = !text.empty() && text.size() <= 20 && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : fmt::format("'{}' is no seed; allowed: 0 to 2^64 - 1", text);
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole ? "" : fmt::format("'{}' is no seed; allowed: 0 to 2^64 - 1", text);
 }
 
 /// An option that may be given many times, with one text each; `take` throws CLI::ValidationError with one line.
@@ -39,6 +42,9 @@ void add_scenario_options(CLI::App& app, WorldArguments& arguments) {
       throw CLI::ValidationError(fmt::format("--set {}: not of the form key=value", text));
     }
     arguments.overrides.push_back({text.substr(0, at), text.substr(at + 1)});
+  });
+  add_repeated(app, "--planner", "NAME: the same as --set planner.name=NAME", [&arguments](const auto& text) {
+    arguments.overrides.push_back({"planner.name", text});
   });
 }
 
@@ -71,22 +77,27 @@ std::optional<Scenario> load_or_complain(const WorldArguments& arguments) {
   return scenario;
 }
 
-std::string out_folder(const std::string& out, std::uint64_t seed) {
-  if (!out.empty()) return out;
-  const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
-  const std::string stem = fmt::format("skein-runs/{:%Y%m%dT%H%M%S}-{}", fmt::gmtime(now), seed);
-  std::string folder = stem;
-  for (int copy = 2; std::filesystem::exists(folder); ++copy) folder = fmt::format("{}.{}", stem, copy);
-  return folder;
-}
-
-void prepare_out(const std::string& folder, const Scenario& scenario) {
+std::string prepare_out(const std::string& out, const Scenario& scenario) {
+  namespace fs = std::filesystem;
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  std::ofstream copy(std::filesystem::path(folder) / "scenario.yaml", std::ios::binary);
+  std::string folder = out;
+  if (out.empty()) {
+    fs::create_directories("skein-runs", error);
+    const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+    const std::string stem = fmt::format("skein-runs/{:%Y%m%dT%H%M%S}-{}", fmt::gmtime(now), scenario.mission.seed);
+    folder = stem;
+    for (int copy = 2; !error && !fs::create_directory(folder, error); ++copy) {
+      folder = fmt::format("{}.{}", stem, copy);
+    }
+  } else {
+    fs::create_directories(folder, error);
+  }
+  if (error) throw std::runtime_error(fmt::format("cannot make the out folder {}: {}", folder, error.message()));
+  std::ofstream copy(fs::path(folder) / "scenario.yaml", std::ios::binary);
   copy << scenario.text;
   copy.close();
-  if (error || !copy) throw std::runtime_error(fmt::format("cannot write to the out folder {}", folder));
+  if (!copy) throw std::runtime_error(fmt::format("cannot write to the out folder {}", folder));
+  return folder;
 }
 
 }  // namespace skein

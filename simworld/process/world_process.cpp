@@ -18,12 +18,6 @@
 namespace skein {
 namespace {
 
-std::vector<AgentId> ids_of(const Mission& mission) {
-  std::vector<AgentId> ids;
-  for (const VehicleSpec& vehicle : mission.vehicles) ids.push_back(vehicle.id);
-  return ids;
-}
-
 /// The launcher as the session sees it.
 class LauncherControl final : public ProcessControl {
  public:
@@ -59,7 +53,9 @@ class WorldProcess {
     if (!port_.flush(std::chrono::milliseconds(1000))) spdlog::warn("not all samples were acknowledged");
   }
 
-  [[nodiscard]] nlohmann::ordered_json report() const { return make_report(session_, scenario_, {"dds", signal_}); }
+  [[nodiscard]] nlohmann::ordered_json report() const {
+    return make_report(session_, scenario_, {"dds", signal_, port_.lost()});
+  }
   [[nodiscard]] bool launched() const { return launched_; }
 
  private:
@@ -68,6 +64,7 @@ class WorldProcess {
     options.run = random_id();
     options.nonce = nonce_;
     options.startup_timeout_s = arguments.common.startup_timeout_s;
+    options.settle_s = arguments.settle_s;
     options.fail_fast = arguments.fail_fast;
     options.faults = arguments.faults;
     return options;
@@ -115,10 +112,15 @@ int run_world(const WorldArguments& arguments) {
     return static_cast<int>(ExitCode::Usage);
   }
   start_log("skein-simworld", arguments.common);
-  nlohmann::ordered_json report;
-  const std::string folder = out_folder(arguments.out, scenario->mission.seed);
+  std::string folder;
   try {
-    prepare_out(folder, *scenario);
+    folder = prepare_out(arguments.out, *scenario);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return static_cast<int>(ExitCode::Usage);
+  }
+  nlohmann::ordered_json report;
+  try {
     WorldProcess process(arguments, *scenario);
     process.run();
     report = process.report();
@@ -126,10 +128,16 @@ int run_world(const WorldArguments& arguments) {
     spdlog::error("{}", error.what());
     return static_cast<int>(ExitCode::StartUp);
   }
-  std::ofstream file(folder + "/report.json");
-  file << report.dump(2) << "\n";
-  spdlog::info("{} (report: {}/report.json)", report["reason"].get<std::string>(), folder);
-  return report["exit_code"].get<int>();
+  try {
+    write_json(folder + "/report.json", report);
+  } catch (const std::exception& error) {
+    spdlog::error("{}; {}", report["reason"].get<std::string>(), error.what());
+    return std::max(report["exit_code"].get<int>(), static_cast<int>(ExitCode::Failed));
+  }
+  const int exit_code = report["exit_code"].get<int>();
+  spdlog::log(exit_code == 0 ? spdlog::level::info : spdlog::level::err, "{} (report: {}/report.json)",
+              report["reason"].get<std::string>(), folder);
+  return exit_code;
 }
 
 }  // namespace skein

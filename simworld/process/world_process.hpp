@@ -20,11 +20,12 @@ struct WorldArguments {
   std::vector<Override> overrides;
   std::vector<Fault> faults;
   bool fail_fast = false;
-  std::string out;      ///< folder for report, scenario copy and logs; empty: skein-runs/<time>-<seed>
-  int control_fd = -1;  ///< of the launcher's socket pair; -1 when started by hand
+  std::string out;        ///< folder for report, scenario copy and logs; empty: skein-runs/<time>-<seed>
+  double settle_s = 1.0;  ///< silence before the mission is published, in which another world may be found
+  int control_fd = -1;    ///< of the launcher's socket pair; -1 when started by hand
 };
 
-/// Adds SCENARIO, --seed, --set: what names a scenario.
+/// Adds SCENARIO, --seed, --set, --planner: what names a scenario.
 void add_scenario_options(CLI::App& app, WorldArguments& arguments);
 
 /// Adds those and --out, --fail-fast / --keep-going, --fault: what run and world have in common.
@@ -33,11 +34,9 @@ void add_world_options(CLI::App& app, WorldArguments& arguments);
 /// The scenario with the overrides, or nothing after one line on standard error.
 [[nodiscard]] std::optional<Scenario> load_or_complain(const WorldArguments& arguments);
 
-/// `out`, or by default skein-runs/<time>-<seed>.
-[[nodiscard]] std::string out_folder(const std::string& out, std::uint64_t seed);
-
-/// Creates the folder and writes the scenario's copy. @throws std::runtime_error with one line.
-void prepare_out(const std::string& folder, const Scenario& scenario);
+/// Creates `out`, or by default a new folder skein-runs/<time>-<seed>, and writes the scenario's copy into it.
+/// @return the folder. @throws std::runtime_error with one line
+[[nodiscard]] std::string prepare_out(const std::string& out, const Scenario& scenario);
 
 /// Runs to the end and writes the report. @return the exit code (docs/architecture.md)
 [[nodiscard]] int run_world(const WorldArguments& arguments);

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <fstream>
+#include <limits>
 #include <stdexcept>
 
 #include "planner/core/lockstep/names.hpp"
@@ -41,12 +43,21 @@ Json vehicles_of(const Run& run) {
                     {"pid", nullptr},
                     {"path_length_m", vehicle.flown_m},
                     {"planned_length_m", plan->length_m},
+                    {"particle", plan->particle},
                     {"arrival_step", arrived ? Json(vehicle.arrival_step) : Json(nullptr)},
                     {"arrival_time_s", arrived ? Json(vehicle.arrival_time_s) : Json(nullptr)},
                     {"max_curvature_per_m", vehicle.max_curvature_per_m},
                     {"max_torsion_per_m", vehicle.max_torsion_per_m},
                     {"status", name_of(vehicle.status)},
                     {"reason", vehicle_reason(vehicle, run)}});
+  }
+  return list;
+}
+
+Json separations_of(const World& world) {
+  Json list = Json::array();
+  for (const PairSeparation& pair : world.separations()) {
+    list.push_back({{"a", pair.a}, {"b", pair.b}, {"flown_m", or_null(pair.least_m)}});
   }
   return list;
 }
@@ -72,6 +83,27 @@ Json topics_of(const TopicCounts& counts) {
           {"representative", entry(counts.representative)}};
 }
 
+/// A whole number of `least` or more. @throws std::runtime_error
+std::uint32_t whole(const nlohmann::json& item, const char* key, std::uint64_t least) {
+  const nlohmann::json& value = item.at(key);
+  const bool fits = value.is_number_unsigned() && value.get<std::uint64_t>() >= least &&
+                    value.get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
+  if (!fits) throw std::runtime_error(fmt::format("{} is no whole number from {}", key, least));
+  return value.get<std::uint32_t>();
+}
+
+/// What was asked for and never came to pass, as the end of a reason; empty if nothing.
+std::string unused_of(const WorldSession& session) {
+  std::string text;
+  for (const Fault& fault : session.unused_faults()) {
+    text += fmt::format("; the fault {} never took place", text_of(fault));
+  }
+  for (const RosterChange& change : session.unused_losses()) {
+    text += fmt::format("; the loss of agent {} at round {} never took place", change.agent, change.round);
+  }
+  return text;
+}
+
 /// Outcome: success, reason, who is missing.
 Json outcome_of(const WorldSession& session, int exit_code) {
   Json outcome;
@@ -81,7 +113,7 @@ Json outcome_of(const WorldSession& session, int exit_code) {
   const Verdict verdict = whole ? session.run().verdict() : Verdict{};
   outcome["reason"] = !session.start_failure().empty() ? session.start_failure()
                       : !session.interrupted().empty() ? session.interrupted()
-                                                       : verdict.reason;
+                                                       : verdict.reason + unused_of(session);
   outcome["completed_without"] = verdict.completed_without;
   return outcome;
 }
@@ -97,7 +129,8 @@ int exit_code_of(const WorldSession& session, const ReportContext& context) {
   if (!session.start_failure().empty()) return static_cast<int>(ExitCode::StartUp);
   if (context.signal) return 128 + *context.signal;
   if (!session.interrupted().empty()) return static_cast<int>(ExitCode::Failed);
-  return static_cast<int>(session.run().verdict().code);
+  const ExitCode code = session.run().verdict().code;
+  return static_cast<int>(code == ExitCode::Success && !unused_of(session).empty() ? ExitCode::Failed : code);
 }
 
 Json make_report(const WorldSession& session, const Scenario& scenario, const ReportContext& context) {
@@ -115,7 +148,12 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["scenario_hash"] = fmt::format("{:016x}", scenario.scenario_hash);
   report["version"] = version();
   report["carrier"] = context.carrier;
+  report["fail_fast"] = session.fail_fast();
   report["planner"] = scenario.mission.planner.name;
+  const std::optional<double> spread_m = run.plan_spread_m();
+  report["plan_feasible"] = spread_m.has_value();
+  report["plan_success"] = spread_m && *spread_m <= scenario.mission.planner.length_tolerance_m;
+  report["plan_spread_m"] = or_null(spread_m);
   report["steps"] = run.steps_flown();
   report["rounds"] = run.planning_rounds();
   report["collisions"] = world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) +
@@ -123,6 +161,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["near_misses"] = world.count(ContactKind::NearMiss);
   report["min_separation_m"] = or_null(world.min_separation_m());
   report["min_clearance_m"] = or_null(world.min_clearance_m());
+  report["separations"] = separations_of(world);
   report["vehicles"] = vehicles_of(run);
   report["roster_changes"] = changes_of(run);
   report["discovery_s"] = span_s(times.created_s, times.started_s);
@@ -133,7 +172,23 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["pss_mb_per_agent"] = nullptr;
   report["topics"] = topics_of(session.topics());
   report["refused_samples"] = session.refused_samples().total();
+  report["lost_samples"] = context.lost_samples;
   return report;
+}
+
+std::string replay_obstacle(const nlohmann::json& report, const Scenario& scenario, bool fail_fast) {
+  const std::string hash = fmt::format("{:016x}", scenario.scenario_hash);
+  if (report.value("scenario_hash", "") != hash) return "it is of another scenario, or of other --set values";
+  if (report.value("seed", nlohmann::json()) != nlohmann::json(scenario.mission.seed)) return "it has another seed";
+  if (report.value("fail_fast", false) != fail_fast) return "it differs in --fail-fast";
+  return "";
+}
+
+void write_json(const std::string& path, const nlohmann::ordered_json& json) {
+  std::ofstream file(path);
+  file << json.dump(2) << "\n";
+  file.close();
+  if (!file) throw std::runtime_error(fmt::format("cannot write {}", path));
 }
 
 std::vector<RosterChange> roster_changes_of(const nlohmann::json& report) {
@@ -144,8 +199,8 @@ std::vector<RosterChange> roster_changes_of(const nlohmann::json& report) {
     try {
       const auto reason = loss_reason_from(item.at("reason").get<std::string>());
       if (!reason) throw std::runtime_error("unknown reason");
-      changes.push_back({item.at("step").get<std::uint32_t>(), item.at("round").get<std::uint32_t>(),
-                         item.at("agent").get<AgentId>(), item.at("incarnation").get<std::uint32_t>(), *reason});
+      changes.push_back({whole(item, "step", 0), whole(item, "round", 1), whole(item, "agent", 1),
+                         whole(item, "incarnation", 1), *reason});
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("roster_changes[{}]: {}", changes.size(), error.what()));
     }

@@ -42,6 +42,9 @@ ScenarioResult load_scenario(const std::string& path, std::span<const Override> 
                              std::optional<std::uint64_t> seed) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return file_fault(path, "this is a directory");
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    return file_fault(path, "this is no regular file");  // a pipe might never end
+  }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) return file_fault(path, fmt::format("cannot be read ({})", std::strerror(errno)));

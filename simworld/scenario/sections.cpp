@@ -179,8 +179,7 @@ std::optional<Terrain> read_terrain(const MapReader& root, double length_unit_m)
 }
 
 void read_planner(const MapReader& planner, RendezvousOptions& options) {
-  static constexpr Keys kNames[] = {"dcpso"};
-  options.name = planner.word("name", kNames, options.name);
+  options = *defaults_of(planner.word("name", kRendezvousPlanners, options.name));
   for (const RendezvousField& field : kRendezvousFields) {
     if (const auto* real = std::get_if<double RendezvousOptions::*>(&field.member)) {
       options.** real = planner.number(field.key, {field.min, field.max, field.unit}, options.**real);

@@ -47,6 +47,7 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss)
   motions_.resize(vehicles_.size());
   touching_.resize(vehicles_.size() * vehicles_.size());
   near_.resize(vehicles_.size() * vehicles_.size());
+  least_m_.resize(vehicles_.size() * vehicles_.size(), std::numeric_limits<double>::infinity());
   in_zone_.resize(vehicles_.size() * zones_.size());
   grounded_.resize(vehicles_.size());
 }
@@ -143,6 +144,7 @@ void World::check_vehicles(std::uint32_t step) {
       const double distance_m = separation_m(motions_[i], motions_[j]);
       min_separation_m_ = std::min(min_separation_m_.value_or(distance_m), distance_m);
       const std::size_t key = i * vehicles_.size() + j;
+      least_m_[key] = std::min(least_m_[key], distance_m);
       note(distance_m <= a.radius_m + b.radius_m, touching_, key,
            {ContactKind::Vehicles, step, a.id, b.id, distance_m});
       note(distance_m < a.safety_radius_m + b.safety_radius_m, near_, key,
@@ -173,6 +175,19 @@ void World::check_terrain(std::uint32_t step) {
     min_clearance_m_ = std::min(min_clearance_m_.value_or(body_m), body_m);
     note(body_m <= 0.0, grounded_, i, {ContactKind::Terrain, step, vehicles_[i].spec.id, 0, distance_m});
   }
+}
+
+std::vector<PairSeparation> World::separations() const {
+  std::vector<PairSeparation> pairs;
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    for (std::size_t j = i + 1; j < vehicles_.size(); ++j) {
+      const double least_m = least_m_[i * vehicles_.size() + j];
+      PairSeparation pair{vehicles_[i].spec.id, vehicles_[j].spec.id, std::nullopt};
+      if (std::isfinite(least_m)) pair.least_m = least_m;
+      pairs.push_back(pair);
+    }
+  }
+  return pairs;
 }
 
 bool World::all_ended() const {

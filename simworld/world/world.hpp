@@ -43,6 +43,13 @@ struct VehicleRecord {
   double arrival_time_s = 0.0;
 };
 
+/// How close two vehicles came while both were in the air, by the centres, continuous between steps.
+struct PairSeparation {
+  AgentId a = 0;
+  AgentId b = 0;
+  std::optional<double> least_m;  ///< nothing if they never flew a step together
+};
+
 /// What one live agent commands for a step.
 struct VehicleCommand {
   AgentId agent = 0;
@@ -81,6 +88,8 @@ class World {
   [[nodiscard]] std::size_t count(ContactKind kind) const;
   /// Least distance between the centres of two vehicles so far; nothing before two vehicles flew a step together.
   [[nodiscard]] std::optional<double> min_separation_m() const { return min_separation_m_; }
+  /// Of every pair, by ascending ids.
+  [[nodiscard]] std::vector<PairSeparation> separations() const;
   /// Least distance from a vehicle's body to an obstacle, no-fly zone or the terrain (a lower bound) so far; negative
   /// inside.
   [[nodiscard]] std::optional<double> min_clearance_m() const { return min_clearance_m_; }
@@ -105,10 +114,11 @@ class World {
   std::vector<VehicleRecord> vehicles_;
   std::vector<Motion> motions_;
   std::vector<Contact> contacts_;
-  std::vector<bool> touching_;  ///< vehicle x vehicle: bodies in contact in the last step
-  std::vector<bool> near_;      ///< vehicle x vehicle: safety spheres in contact in the last step
-  std::vector<bool> in_zone_;   ///< vehicle x zone
-  std::vector<bool> grounded_;  ///< vehicle: in contact with the terrain in the last step
+  std::vector<bool> touching_;   ///< vehicle x vehicle: bodies in contact in the last step
+  std::vector<bool> near_;       ///< vehicle x vehicle: safety spheres in contact in the last step
+  std::vector<bool> in_zone_;    ///< vehicle x zone
+  std::vector<double> least_m_;  ///< vehicle x vehicle: least distance so far
+  std::vector<bool> grounded_;   ///< vehicle: in contact with the terrain in the last step
   std::optional<double> min_separation_m_;
   std::optional<double> min_clearance_m_;
 };

@@ -7,6 +7,12 @@
 
 namespace skein {
 
+std::vector<AgentId> ids_of(const Mission& mission) {
+  std::vector<AgentId> ids;
+  for (const VehicleSpec& vehicle : mission.vehicles) ids.push_back(vehicle.id);
+  return ids;
+}
+
 const VehicleSpec& vehicle_of(const Mission& mission, AgentId id) {
   const auto found = std::ranges::find(mission.vehicles, id, &VehicleSpec::id);
   if (found == mission.vehicles.end()) {
@@ -46,6 +52,21 @@ void add_space(StateHash& hash, const Mission& mission) {
   for (const double constant : {t.a, t.b, t.c, t.d, t.e, t.f, t.g, t.h, t.l, t.unit_m}) hash.add(constant);
 }
 
+void add_options(StateHash& hash, const RendezvousOptions& options) {
+  const auto value_of = [](const RendezvousOptions& of, const RendezvousField& field) {
+    return std::visit([&](auto member) { return static_cast<double>(of.*member); }, field.member);
+  };
+  hash.add(std::string_view(options.name));
+  for (std::size_t i = 0; i < kRendezvousFields.size(); ++i) {
+    const double value = value_of(options, kRendezvousFields[i]);
+    if (i < kAlwaysHashedFields) {
+      hash.add(value);
+    } else if (value != value_of(RendezvousOptions{}, kRendezvousFields[i])) {
+      hash.add(kRendezvousFields[i].key).add(value);
+    }
+  }
+}
+
 }  // namespace
 
 std::uint64_t mission_hash(const Mission& mission) {
@@ -58,10 +79,7 @@ std::uint64_t mission_hash(const Mission& mission) {
   }
   hash.add(mission.zones.size());
   for (const Zone& zone : mission.zones) add_zone(hash, zone);
-  hash.add(std::string_view(mission.planner.name));
-  for (const RendezvousField& field : kRendezvousFields) {
-    std::visit([&](auto member) { hash.add(static_cast<double>(mission.planner.*member)); }, field.member);
-  }
+  add_options(hash, mission.planner);
   add_space(hash, mission);
   return hash.value();
 }

@@ -70,6 +70,9 @@ struct Mission {
   bool operator==(const Mission&) const = default;
 };
 
+/// The vehicles' ids, in the mission's order: ascending.
+[[nodiscard]] std::vector<AgentId> ids_of(const Mission& mission);
+
 /// The spec of an agent's vehicle. @throws std::invalid_argument if the mission has no such vehicle.
 [[nodiscard]] const VehicleSpec& vehicle_of(const Mission& mission, AgentId id);
 

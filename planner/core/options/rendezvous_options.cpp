@@ -1,12 +1,31 @@
 #include "planner/core/options/rendezvous_options.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 namespace skein {
 
+std::optional<RendezvousOptions> defaults_of(std::string_view planner) {
+  RendezvousOptions options;
+  options.name = planner;
+  if (planner == "dcpso") return options;
+  options.equalise = 0;
+  if (planner == "dcpso-solo") {
+    options.cooperate = 0;
+    return options;
+  }
+  options.reinitialise_probability = 0.0;
+  options.velocity_limit = 0.2;
+  if (planner == "dcpso-paper") return options;
+  options.own_reference = 0;
+  if (planner == "ccga") return options;
+  return std::nullopt;
+}
+
 std::optional<OptionFault> validate(const RendezvousOptions& options) {
-  if (options.name != "dcpso") {
-    return OptionFault{"name", fmt::format("'{}' is no rendezvous planner; allowed: dcpso", options.name)};
+  if (!defaults_of(options.name)) {
+    return OptionFault{"name", fmt::format("'{}' is no rendezvous planner; allowed: {}", options.name,
+                                           fmt::join(kRendezvousPlanners, ", "))};
   }
   for (const RendezvousField& field : kRendezvousFields) {
     const double value = std::visit([&](auto member) { return static_cast<double>(options.*member); }, field.member);

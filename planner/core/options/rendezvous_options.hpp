@@ -1,9 +1,10 @@
 // Options of the rendezvous planners (papers/001), carried typed in the mission.
 //
 // Every field has a default, a unit and a legal range; `kRendezvousFields` lists them once, for the scenario loader,
-// the wire check and the documentation. Source: papers/001, section 4.1 (M, T, w1, Np, Nph) and Eq. 8-16.
-// Departs from source: search range in chords, velocity limit, re-initialisation and equalisation, which the paper
-// leaves open (docs/families/rendezvous.md).
+// the wire check and the documentation. A planner's name chooses its search and the defaults of its other options
+// (`defaults_of`); each of these may be set to another value. Source: papers/001, section 4.1 (M, T, w1, Np, Nph) and
+// Eq. 8-16. Departs from source: search range in chords, velocity limit, re-initialisation and equalisation, which the
+// paper leaves open (docs/families/rendezvous.md).
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@
 namespace skein {
 
 struct RendezvousOptions {
-  std::string name = "dcpso";             ///< the planner, by name
+  std::string name = "dcpso";             ///< the planner, by name: one of kRendezvousPlanners
   std::int32_t particles = 20;            ///< M, particles of a sub-swarm
   std::int32_t generations = 50;          ///< T
   double length_weight = 0.5;             ///< w1 of Eq. 11, in [0, 1]
@@ -35,6 +36,13 @@ struct RendezvousOptions {
   double clearance_margin_m = 5.0;        ///< kept from obstacles and no-fly zones beyond the vehicle's radius
   std::int32_t equalise_directions = 64;  ///< directions of (m0, m1) tried to reach the common length (Remark 3)
   std::int32_t equalise_rounds = 40;      ///< rounds within which the swarm must agree on the common length
+  std::int32_t cooperate = 1;             ///< 1: the penalties of Eq. 15 and 16 count; 0: every UAV for itself
+  std::int32_t own_reference = 1;         ///< Lref of Eq. 16: 1 of the bests by own cost, 0 of the representatives
+  std::int32_t refresh_costs = 1;         ///< 1: stored costs follow the representatives; 0: as when they were stored
+  std::int32_t equalise = 1;              ///< 1: exactly one length in the end; 0: the search's own lengths are flown
+  double length_tolerance_m = 350.0;      ///< largest difference of lengths of a plan that counts as a success
+  double crossover_probability = 0.9;     ///< of each pair of parents (ccga)
+  double mutation_probability = 0.1;      ///< of each of m0 and m1 of each child (ccga)
 
   bool operator==(const RendezvousOptions&) const = default;
 };
@@ -48,7 +56,7 @@ struct RendezvousField {
   double max;
 };
 
-inline constexpr std::array<RendezvousField, 18> kRendezvousFields{{
+inline constexpr std::array<RendezvousField, 25> kRendezvousFields{{
     {"particles", &RendezvousOptions::particles, "", 2, 10000},
     {"generations", &RendezvousOptions::generations, "", 1, 10000},
     {"length_weight", &RendezvousOptions::length_weight, "", 0, 1},
@@ -67,7 +75,24 @@ inline constexpr std::array<RendezvousField, 18> kRendezvousFields{{
     {"clearance_margin_m", &RendezvousOptions::clearance_margin_m, "m", 0, 1e6},
     {"equalise_directions", &RendezvousOptions::equalise_directions, "", 4, 4096},
     {"equalise_rounds", &RendezvousOptions::equalise_rounds, "", 1, 1000},
+    {"cooperate", &RendezvousOptions::cooperate, "", 0, 1},
+    {"own_reference", &RendezvousOptions::own_reference, "", 0, 1},
+    {"refresh_costs", &RendezvousOptions::refresh_costs, "", 0, 1},
+    {"equalise", &RendezvousOptions::equalise, "", 0, 1},
+    {"length_tolerance_m", &RendezvousOptions::length_tolerance_m, "m", 0, 1e9},
+    {"crossover_probability", &RendezvousOptions::crossover_probability, "", 0, 1},
+    {"mutation_probability", &RendezvousOptions::mutation_probability, "", 0, 1},
 }};
+/// The first fields, which every mission hash holds; a later one enters it where it differs from its default, so that
+/// a new option leaves the hashes of missions without it as they were.
+inline constexpr std::size_t kAlwaysHashedFields = 18;
+
+/// dcpso: the paper's method with exact lengths. dcpso-paper: as printed. dcpso-solo: without cooperation. ccga: a
+/// conventional cooperative co-evolutionary genetic algorithm.
+inline constexpr std::array<std::string_view, 4> kRendezvousPlanners{"dcpso", "dcpso-paper", "dcpso-solo", "ccga"};
+
+/// The options of a planner by name, each at that planner's default, or nothing if there is no such planner.
+[[nodiscard]] std::optional<RendezvousOptions> defaults_of(std::string_view planner);
 
 /// What is wrong with one option: its key and one line that names value and legal range.
 struct OptionFault {

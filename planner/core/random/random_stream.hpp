@@ -16,6 +16,7 @@ namespace skein {
 enum class Purpose : std::uint32_t {
   SwarmStart = 1,  ///< initial particles of a sub-swarm; index: the particle
   SwarmMove = 2,   ///< a particle's move; index: generation * particles + particle
+  Breeding = 3,    ///< a pair of children of a genetic population; index: generation * particles + first child
   Test = 1000,     ///< draws of tests
 };
 

@@ -77,6 +77,9 @@ void AlignerIn<Space>::blame(std::span<const Representative> peers) {
     violated_peer_ = peer.agent;
     return;
   }
+  for (const Representative& peer : peers) {
+    if (peer.path_length_m < length_m_ && !same_length(peer.path_length_m, length_m_)) violated_peer_ = peer.agent;
+  }
 }
 
 template <typename Space>

@@ -64,9 +64,11 @@ void SubSwarmIn<Space>::advance(const Problem& problem, std::span<const PeerPath
 template <typename Space>
 void SubSwarmIn<Space>::refresh(const Problem& problem, std::span<const PeerPath> peers,
                                 std::optional<double> reference_length_m) {
-  for (Evaluation& particle : particles_) modify(problem, peers, reference_length_m, particle);
-  for (Evaluation& best : personal_bests_) modify(problem, peers, reference_length_m, best);
-  modify(problem, peers, reference_length_m, best_);
+  if (problem.options.refresh_costs != 0 || generation_ == 0) {
+    for (Evaluation& particle : particles_) modify(problem, peers, reference_length_m, particle);
+    for (Evaluation& best : personal_bests_) modify(problem, peers, reference_length_m, best);
+    modify(problem, peers, reference_length_m, best_);
+  }
   elite_ = *std::ranges::min_element(particles_, {}, &Evaluation::modified);
   const auto leader = std::ranges::min_element(personal_bests_, {}, &Evaluation::modified);
   if (leader->modified < best_.modified) best_ = *leader;

@@ -7,8 +7,9 @@
 //
 // Source: papers/001, sections 3.1 and 3.2. Departs from source (docs/families/rendezvous.md says why): costs stored
 // with personal and group bests are refreshed every generation, since the penalties of Eq. 15 and 16 depend on the
-// others; each particle is re-initialised with a small probability; the best by own cost (Eq. 11) is kept apart, for
-// the reference length. Complexity: O(M (evaluation + Np peers)) a generation.
+// others (option refresh_costs 0 leaves them as they were stored); each particle is re-initialised with a small
+// probability; the best by own cost (Eq. 11) is kept apart, for the reference length. Complexity: O(M (evaluation + Np
+// peers)) a generation.
 #pragma once
 
 #include <optional>

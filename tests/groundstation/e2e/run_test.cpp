@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <csignal>
 #include <set>
 
 #include "tests/groundstation/e2e/skein.hpp"
@@ -93,8 +94,68 @@ TEST_P(KilledAgent, OthersFinishAndTheReplayGivesTheSameHash) {
   EXPECT_EQ(replay.report.at("roster_changes"), run.report.at("roster_changes"));
 }
 
-INSTANTIATE_TEST_SUITE_P(InBothPhases, KilledAgent, testing::Values("kill:2@plan:25", "kill:2@fly:100"),
-                         [](const auto& parameter) { return parameter.index == 0 ? "Planning" : "Flight"; });
+INSTANTIATE_TEST_SUITE_P(InBothPhases, KilledAgent,
+                         testing::Values("kill:2@plan:1", "kill:2@plan:25", "kill:2@fly:1", "kill:2@fly:100"),
+                         [](const auto& parameter) { return "Fault" + std::to_string(parameter.index); });
+
+TEST(Run, AFaultWhoseMomentNeverComesIsNamed) {
+  const ScratchFolder out;
+  const SkeinRun run =
+      skein_run(scenario_path("rendezvous-2d"), kDomain + 3, out.path(), {"--fault", "kill:2@fly:5000"});
+  EXPECT_EQ(run.ended.exit_code, 1);
+  const std::string reason = run.report.at("reason");
+  EXPECT_NE(reason.find("kill:2@fly:5000 never took place"), std::string::npos) << reason;
+}
+
+TEST(Run, AReplayOfAnotherRunIsRefused) {
+  const ScratchFolder out;
+  const std::string scenario = scenario_path("rendezvous-2d");
+  const SkeinRun run = skein_run(scenario, kDomain, out.path() + "/a", {"--seed", "4", "--in-process"});
+  ASSERT_EQ(run.ended.exit_code, 0);
+  const std::string report = out.path() + "/a/report.json";
+  for (const std::vector<std::string>& other : {std::vector<std::string>{"--seed", "5"},
+                                                {"--seed", "4", "--fail-fast"},
+                                                {"--seed", "4", "--set", "step_s=1"}}) {
+    std::vector<std::string> flags{"--in-process", "--roster", report};
+    flags.insert(flags.end(), other.begin(), other.end());
+    EXPECT_EQ(skein_run(scenario, kDomain, out.path() + "/b", flags).ended.exit_code, 2)
+        << testing::PrintToString(other);
+  }
+}
+
+TEST(Run, AWorldThatDiesIsNamed) {
+  const ScratchFolder out;
+  Program program({binary("skein"), "run", scenario_path("rendezvous-2d"), "--domain", std::to_string(kDomain + 3),
+                   "--out", out.path(), "--set", "step_s=0.02"});
+  ASSERT_TRUE(program.read_until("flight: step", 60.0));
+  for (const pid_t pid : processes_with(out.path())) {
+    if (pid != program.pid()) kill(pid, SIGKILL);  // only the world has the folder on its command line
+  }
+  const Ended ended = program.wait(60.0);
+  EXPECT_EQ(ended.exit_code, 4);
+  EXPECT_NE(ended.err.find("the world ended without a report: signal 9 (Killed)"), std::string::npos) << ended.err;
+  EXPECT_TRUE(gone_within(out.path(), 5.0));
+}
+
+TEST(Run, ByHandASecondWorldIsRefusedAndTheFirstOneRuns) {
+  const ScratchFolder out;
+  const std::vector<std::string> bus{"--domain", std::to_string(kDomain + 4), "--swarm", "e2e-by-hand"};
+  const auto with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), bus.begin(), bus.end());
+    return arguments;
+  };
+  const std::string scenario = scenario_path("rendezvous-2d");
+  Program first_agent(with({binary("skein-agent"), "--id", "2"}));
+  Program world(with({binary("skein-simworld"), scenario, "--out", out.path() + "/a"}));
+  ASSERT_TRUE(world.read_until("waiting", 30.0));
+  const Ended second = run_program(with({binary("skein-simworld"), scenario, "--out", out.path() + "/b"}), 60.0);
+  EXPECT_EQ(second.exit_code, 3) << second.err;
+  EXPECT_NE(second.err.find("already has a world"), std::string::npos) << second.err;
+  Program second_agent(with({binary("skein-agent"), "--id", "1"}));
+  Program third_agent(with({binary("skein-agent"), "--id", "3"}));
+  EXPECT_EQ(world.wait(60.0).exit_code, 0);
+  for (Program* agent : {&first_agent, &second_agent, &third_agent}) EXPECT_EQ(agent->wait(60.0).exit_code, 0);
+}
 
 TEST(Run, AnAgentThatDiesUnasked) {
   const ScratchFolder out;

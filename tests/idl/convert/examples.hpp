@@ -39,6 +39,9 @@ inline Mission mission() {
   m.planner.particles = 21;
   m.planner.search_max_chords = 5.5;
   m.planner.equalise_rounds = 41;
+  m.planner.cooperate = 0;
+  m.planner.length_tolerance_m = 351.0;
+  m.planner.mutation_probability = 0.0625;
   return m;
 }
 

@@ -82,6 +82,18 @@ TEST(SubSwarm, StoredCostsFollowTheReferenceLength) {
   EXPECT_LT(swarm.own_best().length_m, 32000.0);
 }
 
+TEST(SubSwarm, StaleCostsStayAsTheyWereStored) {
+  Problem problem = make_problem(test::open_field(2), 2);
+  problem.options.refresh_costs = 0;
+  SubSwarm swarm = evolved(problem, 30);
+  const double cost = swarm.best().modified;
+  swarm.advance(problem, {}, 60000.0);  // by the new reference every path costs far more
+  EXPECT_EQ(swarm.best().modified, cost);
+  problem.options.refresh_costs = 1;
+  swarm.advance(problem, {}, 60000.0);
+  EXPECT_GT(swarm.best().modified, 2.0 * cost);
+}
+
 TEST(SubSwarm, ARepresentativeInTheWayIsAvoided) {
   const Problem problem = make_problem(test::open_field(2), 1);
   SubSwarm swarm = evolved(problem, 40);
