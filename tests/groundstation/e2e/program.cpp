@@ -140,7 +140,7 @@ std::set<std::string> shared_memory_files() {
 }
 
 ScratchFolder::ScratchFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "skein-e2e-XXXXXX").string();
+  std::string pattern = (std::filesystem::temp_directory_path() / ("skein-e2e-" + std::string(6, 'X'))).string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp");
   path_ = pattern;
 }
