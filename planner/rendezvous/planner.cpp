@@ -7,10 +7,6 @@
 namespace skein::rendezvous {
 namespace {
 
-ph::Controls controls_of(const Representative& representative) {
-  return {representative.particle[0], representative.particle[1]};
-}
-
 /// What is wrong with a representative, or nothing.
 const char* fault_of(const Representative& representative, const Participant& uav) {
   if (representative.particle.size() != 2) return "its particle has not two numbers";
@@ -25,7 +21,8 @@ const char* fault_of(const Representative& representative, const Participant& ua
 
 }  // namespace
 
-Planner::Planner(const Mission& mission, AgentId self) : problem_(make_problem(mission, self)), swarm_(problem_) {}
+Planner::Planner(const Mission& mission, AgentId self, const kernel::Kernel& kernel)
+    : problem_(make_problem(mission, self, kernel)), swarm_(problem_) {}
 
 PlanRound Planner::advance(std::span<const Representative> peers) {
   if (round_.status != PlanStatus::Planning) return round_;
@@ -56,12 +53,14 @@ bool Planner::can_use(const Representative& peer) const {
 void Planner::check(std::span<const Representative> peers) const {
   AgentId before = 0;
   for (const Representative& peer : peers) {
-    const std::string name = "representative of agent " + std::to_string(peer.agent) + ": ";
-    if (peer.agent == problem_.own().id) throw std::invalid_argument(name + "that is this planner itself");
-    if (peer.agent <= before) throw std::invalid_argument(name + "ids must ascend");
+    const auto refuse = [&](const std::string& why) {
+      throw std::invalid_argument("representative of agent " + std::to_string(peer.agent) + ": " + why);
+    };
+    if (peer.agent == problem_.own().id) refuse("that is this planner itself");
+    if (peer.agent <= before) refuse("ids must ascend");
     before = peer.agent;
     if (const char* fault = fault_of(peer, participant_of(problem_, peer.agent))) {
-      throw std::invalid_argument(name + fault);
+      refuse(fault);
     }
   }
 }
@@ -80,16 +79,8 @@ std::optional<double> Planner::reference_length_m(std::span<const Representative
 }
 
 void Planner::search(std::span<const Representative> peers) {
-  std::vector<PeerPath> paths;
-  paths.reserve(peers.size());
-  for (const Representative& peer : peers) {
-    const Participant& uav = participant_of(problem_, peer.agent);
-    PeerPath path{peer.agent, required_separation_m(problem_.own(), uav),
-                  std::vector<Vec2>(static_cast<std::size_t>(problem_.options.check_points))};
-    equidistant_points(uav.hermite.path(controls_of(peer)), path.points_m);
-    paths.push_back(std::move(path));
-  }
-  swarm_.advance(problem_, paths, reference_length_m(peers));
+  peers_.follow(problem_, peers);
+  swarm_.advance(problem_, peers_.peers(), reference_length_m(peers));
   report_search();
 }
 

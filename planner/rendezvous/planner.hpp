@@ -40,7 +40,7 @@ struct PlanRound {
 class Planner {
  public:
   /// @throws std::invalid_argument if the mission cannot be planned (cost/problem.hpp) or has no vehicle `self`.
-  Planner(const Mission& mission, AgentId self);
+  Planner(const Mission& mission, AgentId self, const kernel::Kernel& kernel = kernel::chosen_kernel());
 
   /// Whether advance() takes this representative: from a peer of the mission, its particle two numbers within that
   /// peer's search range, its lengths positive and finite.
@@ -72,6 +72,7 @@ class Planner {
   Problem problem_;
   SubSwarm swarm_;
   bool started_ = false;
+  PeerTable peers_;  ///< of the round before, kept to save walking unchanged paths again
   std::optional<Aligner> aligner_;
   PlanRound round_;
   ph::PlanarPath path_;

@@ -42,14 +42,14 @@ struct CostTerms {
 /// The first constraint that a path violates, in the order of the enumeration; length counts as none.
 [[nodiscard]] Constraint first_violation(const CostTerms& terms);
 
-/// A candidate with everything that its cost needs; reusable without allocation.
+/// A candidate with everything that its cost needs.
 struct Evaluation {
   ph::Controls controls;
   double length_m = 0.0;
   CostTerms terms;
   double own = 0.0;            ///< own_cost
   double modified = 0.0;       ///< modified_cost
-  std::vector<Vec2> points_m;  ///< Nph equidistant points
+  std::vector<Vec2> points_m;  ///< Nph equidistant points; empty where they are kept in lanes
 };
 
 /// The representative of a peer, as modification needs it.
@@ -59,11 +59,16 @@ struct PeerPath {
   std::vector<Vec2> points_m;  ///< Nph equidistant points
 };
 
+/// For one candidate; many are evaluated together by cost/batch, with the same results.
 /// Fills `into` for controls within the search range: terms of Eq. 11; collision and dtime 0, modified = own.
 void evaluate(const Problem& problem, const ph::Controls& controls, Evaluation& into);
 
 /// Sets collision and dtime. `reference_length_m`: Lref, or nothing for the reference UAV itself.
 void modify(const Problem& problem, std::span<const PeerPath> peers, std::optional<double> reference_length_m,
             Evaluation& evaluation);
+
+/// The same for who knows already whether the path collides with some peer.
+void set_cooperation(const Problem& problem, bool collides, std::optional<double> reference_length_m,
+                     Evaluation& evaluation);
 
 }  // namespace skein::rendezvous

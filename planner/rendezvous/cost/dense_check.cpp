@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/core/geometry/closest_approach.hpp"
+#include "planner/rendezvous/cost/batch.hpp"
 #include "planner/rendezvous/ph/curvature_bound.hpp"
 
 namespace skein::rendezvous {
@@ -37,7 +38,7 @@ bool clear_of(const PlanarZone& zone, double least_m, const DensePath& dense) {
 DensePath sample_densely(const Problem& problem, const ph::PlanarPath& path) {
   DensePath dense{path, std::vector<Vec2>(static_cast<std::size_t>(problem.options.dense_points)),
                   ph::max_curvature_per_m(path, kBoundTolerance), 0.0};
-  equidistant_points(path, dense.points_m);
+  walk_in_parts(*problem.kernel, path, dense.points_m);
   dense.sag_m = dense.curvature_bound_per_m * gap_m(dense) * gap_m(dense) / 8.0;
   return dense;
 }

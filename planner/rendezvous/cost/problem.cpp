@@ -56,7 +56,7 @@ bool reaches(const Zone& zone, double altitude_m, double keep_out_m) {
 
 }  // namespace
 
-Problem make_problem(const Mission& mission, AgentId self) {
+Problem make_problem(const Mission& mission, AgentId self, const kernel::Kernel& kernel) {
   require(mission.kind == MissionKind::Rendezvous, "the mission is of another kind");
   require(mission.length_unit_m > 0.0, "length_unit_m must be positive");
   if (const auto fault = validate(mission.planner)) throw std::invalid_argument("rendezvous: " + fault->message);
@@ -76,12 +76,13 @@ Problem make_problem(const Mission& mission, AgentId self) {
   problem.length_unit_m = mission.length_unit_m;
   problem.seed = mission.seed;
   problem.options = mission.planner;
+  problem.kernel = &kernel;
   return problem;
 }
 
 const Participant& participant_of(const Problem& problem, AgentId id) {
-  const auto found = std::ranges::find(problem.participants, id, &Participant::id);
-  require(found != problem.participants.end(), "no participant " + std::to_string(id));
+  const auto found = std::ranges::lower_bound(problem.participants, id, {}, &Participant::id);
+  if (found == problem.participants.end() || found->id != id) require(false, "no participant " + std::to_string(id));
   return *found;
 }
 

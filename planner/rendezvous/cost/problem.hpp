@@ -14,6 +14,7 @@
 
 #include "planner/core/geometry/bounds.hpp"
 #include "planner/core/mission/mission.hpp"
+#include "planner/rendezvous/kernel/dispatch.hpp"
 #include "planner/rendezvous/ph/hermite.hpp"
 
 namespace skein::rendezvous {
@@ -47,6 +48,7 @@ struct Problem {
   double length_unit_m = 1.0;
   std::uint64_t seed = 0;
   RendezvousOptions options;
+  const kernel::Kernel* kernel = nullptr;  ///< of static storage; all kernels give the same results
 
   [[nodiscard]] const Participant& own() const { return participants[self]; }
 };
@@ -54,7 +56,8 @@ struct Problem {
 /// The problem of vehicle `self`. @throws std::invalid_argument if the mission is no rendezvous that can be planned in
 /// a plane: options out of range, no such vehicle, ids not ascending, start and slot at one place or at different
 /// altitudes, a climb, different speeds, a limit or radius that is not positive (radii may be 0).
-[[nodiscard]] Problem make_problem(const Mission& mission, AgentId self);
+[[nodiscard]] Problem make_problem(const Mission& mission, AgentId self,
+                                   const kernel::Kernel& kernel = kernel::chosen_kernel());
 
 /// The participant with an id. @throws std::invalid_argument if there is none.
 [[nodiscard]] const Participant& participant_of(const Problem& problem, AgentId id);

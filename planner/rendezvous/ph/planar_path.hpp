@@ -61,6 +61,10 @@ class PlanarPath {
   /// Quadratic n(q) with kappa = 2 n / sigma^2, and sigma itself, by powers of q.
   [[nodiscard]] const std::array<double, 3>& bend() const { return bend_; }
   [[nodiscard]] const std::array<double, 5>& speed_powers() const { return speed_; }
+  /// Position from the start and arc length by powers of q, from q^1.
+  [[nodiscard]] const std::array<double, 5>& x_powers() const { return x_; }
+  [[nodiscard]] const std::array<double, 5>& y_powers() const { return y_; }
+  [[nodiscard]] const std::array<double, 5>& arc_powers() const { return s_; }
 
  private:
   Vec2 start_m_ = Vec2::Zero();
