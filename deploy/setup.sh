@@ -10,7 +10,7 @@ build_packages=(
   libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libyaml-cpp-dev
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
-check_packages=(libgtest-dev libgmock-dev clang-format-14 binutils python3)
+check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3)
 
 purpose=${1:-build}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -4,8 +4,11 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <random>
+
+#include "planner/core/isa/isa.hpp"
 
 namespace skein {
 namespace {
@@ -50,6 +53,10 @@ std::vector<std::string> arguments_of(const CommonFlags& flags) {
 std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
+    if (const auto fault = isa_fault(std::getenv(kIsaVariable))) {
+      std::cerr << app.get_name() << ": " << *fault << '\n';
+      return 2;
+    }
     return std::nullopt;
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);

@@ -23,7 +23,8 @@ void add_common_flags(CLI::App& app, CommonFlags& flags);
 /// The same flags as arguments for a child process.
 [[nodiscard]] std::vector<std::string> arguments_of(const CommonFlags& flags);
 
-/// Parses; on `--help` or a fault it prints (one line for a fault) and gives the exit code: 0 or 2.
+/// Parses, and checks SKEIN_ISA; on `--help` or a fault it prints (one line for a fault) and gives the exit code: 0
+/// or 2.
 [[nodiscard]] std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv);
 
 /// Logs of this process go to standard error, each line named after `name`.

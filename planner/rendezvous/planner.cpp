@@ -9,10 +9,6 @@
 namespace skein::rendezvous {
 namespace {
 
-ph::Controls controls_of(const Representative& representative) {
-  return {representative.particle[0], representative.particle[1]};
-}
-
 /// What is wrong with a representative, or nothing.
 const char* fault_of(const Representative& representative, const Interval& range_m) {
   if (representative.particle.size() != 2) return "its particle has not two numbers";
@@ -28,8 +24,8 @@ const char* fault_of(const Representative& representative, const Interval& range
 }  // namespace
 
 template <typename Space>
-PlannerIn<Space>::PlannerIn(const Mission& mission, AgentId self)
-    : problem_(make_problem<Space>(mission, self)), swarm_(problem_) {}
+PlannerIn<Space>::PlannerIn(const Mission& mission, AgentId self, const kernel::Kernel& kernel)
+    : problem_(make_problem<Space>(mission, self, kernel)), swarm_(problem_) {}
 
 template <typename Space>
 PlanRound PlannerIn<Space>::advance(std::span<const Representative> peers) {
@@ -67,13 +63,13 @@ template <typename Space>
 void PlannerIn<Space>::check(std::span<const Representative> peers) const {
   AgentId before = 0;
   for (const Representative& peer : peers) {
-    const std::string name = "representative of agent " + std::to_string(peer.agent) + ": ";
-    if (peer.agent == problem_.own().id) throw std::invalid_argument(name + "that is this planner itself");
-    if (peer.agent <= before) throw std::invalid_argument(name + "ids must ascend");
+    const auto refuse = [&](const std::string& why) {
+      throw std::invalid_argument("representative of agent " + std::to_string(peer.agent) + ": " + why);
+    };
+    if (peer.agent == problem_.own().id) refuse("that is this planner itself");
+    if (peer.agent <= before) refuse("ids must ascend");
     before = peer.agent;
-    if (const char* fault = fault_of(peer, participant_of(problem_, peer.agent).range_m)) {
-      throw std::invalid_argument(name + fault);
-    }
+    if (const char* fault = fault_of(peer, participant_of(problem_, peer.agent).range_m)) refuse(fault);
   }
 }
 
@@ -96,16 +92,8 @@ std::optional<double> PlannerIn<Space>::reference_length_m(std::span<const Repre
 template <typename Space>
 void PlannerIn<Space>::search(std::span<const Representative> peers) {
   if (problem_.options.cooperate == 0) peers = {};
-  std::vector<PeerPath> paths;
-  paths.reserve(peers.size());
-  for (const Representative& peer : peers) {
-    const Participant& uav = participant_of(problem_, peer.agent);
-    PeerPath path{peer.agent, required_separation_m(problem_.own(), uav),
-                  std::vector<typename Space::Vec>(static_cast<std::size_t>(problem_.options.check_points))};
-    equidistant_points(uav.hermite.path(controls_of(peer)), path.points_m);
-    paths.push_back(std::move(path));
-  }
-  swarm_.advance(problem_, paths, reference_length_m(peers));
+  peers_.follow(problem_, peers);
+  swarm_.advance(problem_, peers_.peers(), reference_length_m(peers));
   report_search();
 }
 
@@ -201,14 +189,15 @@ template class PlannerIn<Spatial>;
 
 namespace {
 
-Planner::InSpace make_in_space(const Mission& mission, AgentId self) {
-  if (is_planar(mission)) return Planner::InSpace(std::in_place_type<PlannerIn<Planar>>, mission, self);
-  return Planner::InSpace(std::in_place_type<PlannerIn<Spatial>>, mission, self);
+Planner::InSpace make_in_space(const Mission& mission, AgentId self, const kernel::Kernel& kernel) {
+  if (is_planar(mission)) return Planner::InSpace(std::in_place_type<PlannerIn<Planar>>, mission, self, kernel);
+  return Planner::InSpace(std::in_place_type<PlannerIn<Spatial>>, mission, self, kernel);
 }
 
 }  // namespace
 
-Planner::Planner(const Mission& mission, AgentId self) : in_space_(make_in_space(mission, self)) {}
+Planner::Planner(const Mission& mission, AgentId self, const kernel::Kernel& kernel)
+    : in_space_(make_in_space(mission, self, kernel)) {}
 
 bool Planner::can_use(const Representative& peer) const {
   return std::visit([&](const auto& planner) { return planner.can_use(peer); }, in_space_);

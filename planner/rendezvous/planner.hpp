@@ -47,13 +47,12 @@ class PlannerIn {
   using Problem = ProblemIn<Space>;
   using Participant = ParticipantIn<Space>;
   using Search = SearchIn<Space>;
-  using PeerPath = PeerPathIn<Space>;
   using Evaluation = EvaluationIn<Space>;
   using Aligner = AlignerIn<Space>;
   using Path = typename Space::Path;
 
   /// @throws std::invalid_argument if the mission cannot be planned (cost/problem.hpp) or has no vehicle `self`.
-  PlannerIn(const Mission& mission, AgentId self);
+  PlannerIn(const Mission& mission, AgentId self, const kernel::Kernel& kernel = kernel::chosen_kernel());
 
   /// Whether advance() takes this representative: from a peer of the mission, its particle two numbers within that
   /// peer's search range, its lengths positive and finite.
@@ -87,6 +86,7 @@ class PlannerIn {
   Problem problem_;
   Search swarm_;
   bool started_ = false;
+  PeerTableIn<Space> peers_;  ///< of the round before, kept to save walking unchanged paths again
   std::optional<Aligner> aligner_;
   PlanRound round_;
   Path path_;
@@ -97,7 +97,7 @@ class Planner {
  public:
   using InSpace = std::variant<PlannerIn<Planar>, PlannerIn<Spatial>>;
 
-  Planner(const Mission& mission, AgentId self);
+  Planner(const Mission& mission, AgentId self, const kernel::Kernel& kernel = kernel::chosen_kernel());
 
   [[nodiscard]] bool can_use(const Representative& peer) const;
   PlanRound advance(std::span<const Representative> peers);

@@ -85,11 +85,12 @@ ChoiceIn<Space> choose(const ProblemIn<Space>& problem, std::span<const ph::Cont
   ChoiceIn<Space> choice;
   std::vector<ph::Controls> near;
   for (const ph::Controls& from : starts) {
-    const auto found = on_rays(problem.own(), from, target_m, problem.options.equalise_directions);
+    const auto found = on_rays(problem.own(), from, target_m, problem.options.equalise_directions, *problem.kernel);
     near.insert(near.end(), found.begin(), found.end());
   }
   choose_among(problem, near, neighbours, choice);
-  if (!choice.clear) choose_among(problem, on_grid(problem.own(), target_m, kGridNodes), neighbours, choice);
+  if (choice.clear) return choice;
+  choose_among(problem, on_grid(problem.own(), target_m, kGridNodes, *problem.kernel), neighbours, choice);
   return choice;
 }
 

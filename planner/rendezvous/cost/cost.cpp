@@ -1,51 +1,11 @@
 #include "planner/rendezvous/cost/cost.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "planner/rendezvous/cost/batch.hpp"
 
 namespace skein::rendezvous {
 namespace {
-
-/// Whether the chord from a to b comes closer to the zone than allowed; most pairs end at the enclosing disc.
-template <typename Vec>
-bool violates(const PlanarZone& zone, double keep_out_m, const Vec& a, const Vec& b) {
-  if constexpr (Vec::RowsAtCompileTime == 3) {
-    if (std::min(a.z(), b.z()) >= zone.heights_m.max + keep_out_m) return false;
-    if (std::max(a.z(), b.z()) <= zone.heights_m.min - keep_out_m) return false;
-  }
-  const Vec2 half = 0.5 * (b - a).template head<2>();
-  const double reach = zone.reach_m + keep_out_m + half.norm();
-  if ((a.template head<2>() + half - zone.centre_m).squaredNorm() > reach * reach) return false;
-  return distance_m(zone, a, b) < keep_out_m;
-}
-
-/// What only space has: torsion and terrain at one point.
-void check_in_space(const ProblemIn<Spatial>& problem, const ph::SpatialPath& path, double q, const Vec3& here,
-                    CostTerms& terms) {
-  const double penalty = problem.options.penalty;
-  if (std::fabs(path.torsion(q)) > problem.max_torsion_per_m) terms.twisted = penalty;
-  if (terms.terrain > 0.0 || !problem.terrain || here.z() >= problem.terrain_roof_m) return;
-  if (height_above_m(*problem.terrain, here) < problem.terrain_height_m) terms.terrain = penalty;
-}
-
-/// Zones, curvature, torsion and terrain at Np points of equal parameter distance, and for zones the chords between.
-template <typename Space>
-void check_constraints(const ProblemIn<Space>& problem, const typename Space::Path& path, CostTerms& terms) {
-  const std::int32_t last = problem.options.check_points - 1;
-  const double penalty = problem.options.penalty;
-  typename Space::Vec before = path.position(0.0);
-  for (std::int32_t k = 0; k <= last; ++k) {
-    const double q = static_cast<double>(k) / static_cast<double>(last);
-    if (std::fabs(path.curvature(q)) > problem.max_curvature_per_m) terms.unflyable = penalty;
-    const typename Space::Vec here = path.position(q);
-    if constexpr (Space::kSpatial) check_in_space(problem, path, q, here, terms);
-    for (const PlanarZone& zone : problem.zones) {
-      double& term = zone.no_fly ? terms.no_fly : terms.obstacle;
-      if (term == 0.0 && violates(zone, problem.keep_out_m, before, here)) term = penalty;
-    }
-    before = here;
-  }
-}
 
 template <typename Space>
 bool collides(const EvaluationIn<Space>& evaluation, const PeerPathIn<Space>& peer) {
@@ -85,28 +45,10 @@ Constraint first_violation(const CostTerms& terms) {
 }
 
 template <typename Space>
-void evaluate(const ProblemIn<Space>& problem, const ph::Controls& controls, EvaluationIn<Space>& into) {
-  const typename Space::Path path = problem.own().hermite.path(controls);
-  into.controls = controls;
-  into.length_m = path.length_m();
-  into.terms = {};
-  into.terms.length = path.length_m() / problem.length_unit_m;
-  into.terms.curve_energy = path.elastic_energy_per_m() * problem.length_unit_m;
-  check_constraints<Space>(problem, path, into.terms);
-  into.own = own_cost(into.terms, problem.options.length_weight);
-  into.modified = into.own;
-  into.points_m.resize(static_cast<std::size_t>(problem.options.check_points));
-  equidistant_points(path, into.points_m);
-}
-
-template <typename Space>
-void modify(const ProblemIn<Space>& problem, View<PeerPathIn<Space>> peers, std::optional<double> reference_length_m,
-            EvaluationIn<Space>& evaluation) {
+void set_cooperation(const ProblemIn<Space>& problem, bool collides, std::optional<double> reference_length_m,
+                     EvaluationIn<Space>& evaluation) {
   CostTerms& terms = evaluation.terms;
-  terms.collision = 0.0;
-  for (const PeerPathIn<Space>& peer : peers) {
-    if (terms.collision == 0.0 && collides(evaluation, peer)) terms.collision = problem.options.penalty;
-  }
+  terms.collision = collides ? problem.options.penalty : 0.0;
   terms.dtime = 0.0;
   if (reference_length_m) {
     const double difference = (evaluation.length_m - *reference_length_m) / problem.length_unit_m;
@@ -115,8 +57,30 @@ void modify(const ProblemIn<Space>& problem, View<PeerPathIn<Space>> peers, std:
   evaluation.modified = modified_cost(terms, problem.options.length_weight);
 }
 
+template <typename Space>
+void evaluate(const ProblemIn<Space>& problem, const ph::Controls& controls, EvaluationIn<Space>& into) {
+  into.controls = controls;
+  BatchIn<Space> batch(problem, 1);
+  batch.evaluate(problem, {&into, 1});
+  into.points_m.resize(static_cast<std::size_t>(problem.options.check_points));
+  PointTableIn<Space> points(into.points_m.size(), 1);
+  constexpr std::size_t kOnly = 0;
+  batch.walk(problem, {&kOnly, 1}, points);
+  points.copy_to(kOnly, into.points_m);
+}
+
+template <typename Space>
+void modify(const ProblemIn<Space>& problem, View<PeerPathIn<Space>> peers, std::optional<double> reference_length_m,
+            EvaluationIn<Space>& evaluation) {
+  const bool meets =
+      std::ranges::any_of(peers, [&](const PeerPathIn<Space>& peer) { return collides(evaluation, peer); });
+  set_cooperation(problem, meets, reference_length_m, evaluation);
+}
+
 template double bare_cost(const ProblemIn<Planar>&, const ph::PlanarPath&);
 template double bare_cost(const ProblemIn<Spatial>&, const ph::SpatialPath&);
+template void set_cooperation(const ProblemIn<Planar>&, bool, std::optional<double>, EvaluationIn<Planar>&);
+template void set_cooperation(const ProblemIn<Spatial>&, bool, std::optional<double>, EvaluationIn<Spatial>&);
 template void evaluate(const ProblemIn<Planar>&, const ph::Controls&, EvaluationIn<Planar>&);
 template void evaluate(const ProblemIn<Spatial>&, const ph::Controls&, EvaluationIn<Spatial>&);
 template void modify(const ProblemIn<Planar>&, View<PeerPathIn<Planar>>, std::optional<double>, EvaluationIn<Planar>&);

@@ -45,7 +45,7 @@ template <typename Space>
 /// The first constraint that a path violates, in the order of the enumeration; length counts as none.
 [[nodiscard]] Constraint first_violation(const CostTerms& terms);
 
-/// A candidate with everything that its cost needs; reusable without allocation.
+/// A candidate with everything that its cost needs.
 template <typename Space>
 struct EvaluationIn {
   ph::Controls controls;
@@ -53,7 +53,7 @@ struct EvaluationIn {
   CostTerms terms;
   double own = 0.0;                           ///< own_cost
   double modified = 0.0;                      ///< modified_cost
-  std::vector<typename Space::Vec> points_m;  ///< Nph equidistant points
+  std::vector<typename Space::Vec> points_m;  ///< Nph equidistant points; empty where they are kept in lanes
 };
 
 /// The representative of a peer, as modification needs it.
@@ -67,6 +67,7 @@ struct PeerPathIn {
 using Evaluation = EvaluationIn<Planar>;
 using PeerPath = PeerPathIn<Planar>;
 
+/// For one candidate; many are evaluated together by cost/batch, with the same results.
 /// Fills `into` for controls within the search range: terms of Eq. 11; collision and dtime 0, modified = own.
 template <typename Space>
 void evaluate(const ProblemIn<Space>& problem, const ph::Controls& controls, EvaluationIn<Space>& into);
@@ -75,5 +76,10 @@ void evaluate(const ProblemIn<Space>& problem, const ph::Controls& controls, Eva
 template <typename Space>
 void modify(const ProblemIn<Space>& problem, View<PeerPathIn<Space>> peers, std::optional<double> reference_length_m,
             EvaluationIn<Space>& evaluation);
+
+/// The same for who knows already whether the path collides with some peer.
+template <typename Space>
+void set_cooperation(const ProblemIn<Space>& problem, bool collides, std::optional<double> reference_length_m,
+                     EvaluationIn<Space>& evaluation);
 
 }  // namespace skein::rendezvous

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/core/geometry/closest_approach.hpp"
+#include "planner/rendezvous/cost/batch.hpp"
 #include "planner/rendezvous/ph/curvature_bound.hpp"
 #include "planner/rendezvous/ph/torsion_bound.hpp"
 
@@ -65,7 +66,7 @@ DensePathIn<Space> sample_densely(const ProblemIn<Space>& problem, const typenam
   DensePathIn<Space> dense{path,
                            std::vector<typename Space::Vec>(static_cast<std::size_t>(problem.options.dense_points)),
                            ph::max_curvature_per_m(path, kBoundTolerance), 0.0};
-  equidistant_points(path, dense.points_m);
+  walk_in_parts<Space>(*problem.kernel, path, dense.points_m);
   dense.sag_m = dense.curvature_bound_per_m * gap_m(dense) * gap_m(dense) / 8.0;
   return dense;
 }

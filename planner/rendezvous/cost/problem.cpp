@@ -79,7 +79,7 @@ bool is_planar(const Mission& mission) {
 }
 
 template <typename Space>
-ProblemIn<Space> make_problem(const Mission& mission, AgentId self) {
+ProblemIn<Space> make_problem(const Mission& mission, AgentId self, const kernel::Kernel& kernel) {
   require(mission.kind == MissionKind::Rendezvous, "the mission is of another kind");
   require(mission.length_unit_m > 0.0, "length_unit_m must be positive");
   if (const auto fault = validate(mission.planner)) throw std::invalid_argument("rendezvous: " + fault->message);
@@ -106,13 +106,14 @@ ProblemIn<Space> make_problem(const Mission& mission, AgentId self) {
   problem.length_unit_m = mission.length_unit_m;
   problem.seed = mission.seed;
   problem.options = mission.planner;
+  problem.kernel = &kernel;
   return problem;
 }
 
 template <typename Space>
 const ParticipantIn<Space>& participant_of(const ProblemIn<Space>& problem, AgentId id) {
-  const auto found = std::ranges::find(problem.participants, id, &ParticipantIn<Space>::id);
-  require(found != problem.participants.end(), "no participant " + std::to_string(id));
+  const auto found = std::ranges::lower_bound(problem.participants, id, {}, &ParticipantIn<Space>::id);
+  if (found == problem.participants.end() || found->id != id) require(false, "no participant " + std::to_string(id));
   return *found;
 }
 
@@ -140,10 +141,10 @@ double distance_m(const PlanarZone& zone, const Vec3& a, const Vec3& b) {
   return std::visit([&](const auto& shape) { return signed_distance(a, b, shape); }, zone.shape);
 }
 
-template ProblemIn<Planar> make_problem(const Mission&, AgentId);
+template ProblemIn<Planar> make_problem(const Mission&, AgentId, const kernel::Kernel&);
 template const ParticipantIn<Planar>& participant_of(const ProblemIn<Planar>&, AgentId);
 template double required_separation_m(const ParticipantIn<Planar>&, const ParticipantIn<Planar>&);
-template ProblemIn<Spatial> make_problem(const Mission&, AgentId);
+template ProblemIn<Spatial> make_problem(const Mission&, AgentId, const kernel::Kernel&);
 template const ParticipantIn<Spatial>& participant_of(const ProblemIn<Spatial>&, AgentId);
 template double required_separation_m(const ParticipantIn<Spatial>&, const ParticipantIn<Spatial>&);
 

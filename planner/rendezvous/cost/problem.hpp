@@ -17,6 +17,7 @@
 #include "planner/core/geometry/bounds.hpp"
 #include "planner/core/mission/mission.hpp"
 #include "planner/rendezvous/cost/space.hpp"
+#include "planner/rendezvous/kernel/dispatch.hpp"
 
 namespace skein::rendezvous {
 
@@ -56,6 +57,7 @@ struct ProblemIn {
   double length_unit_m = 1.0;
   std::uint64_t seed = 0;
   RendezvousOptions options;
+  const kernel::Kernel* kernel = nullptr;  ///< never null once made; all give the same results
 
   [[nodiscard]] const ParticipantIn<Space>& own() const { return participants[self]; }
 };
@@ -71,7 +73,8 @@ using Problem = ProblemIn<Planar>;
 /// options out of range, no such vehicle, ids not ascending, start and slot at one place, different speeds, a limit or
 /// radius that is not positive (radii may be 0); in the plane also start and slot at different altitudes, or a climb.
 template <typename Space = Planar>
-[[nodiscard]] ProblemIn<Space> make_problem(const Mission& mission, AgentId self);
+[[nodiscard]] ProblemIn<Space> make_problem(const Mission& mission, AgentId self,
+                                            const kernel::Kernel& kernel = kernel::chosen_kernel());
 
 /// The participant with an id. @throws std::invalid_argument if there is none.
 template <typename Space>

@@ -8,6 +8,7 @@
 #include <span>
 #include <type_traits>
 
+#include "planner/rendezvous/kernel/kernel.hpp"
 #include "planner/rendezvous/ph/hermite.hpp"
 #include "planner/rendezvous/ph/spatial_hermite.hpp"
 
@@ -17,14 +18,20 @@ struct Planar {
   using Vec = Vec2;
   using Path = ph::PlanarPath;
   using Hermite = ph::Hermite;
+  using EndRows = kernel::Ends;
+  using PathRows = kernel::Paths;
   static constexpr bool kSpatial = false;
+  [[nodiscard]] static const kernel::Steps& steps(const kernel::Kernel& kernel) { return kernel.planar; }
 };
 
 struct Spatial {
   using Vec = Vec3;
   using Path = ph::SpatialPath;
   using Hermite = ph::SpatialHermite;
+  using EndRows = kernel::SpatialEnds;
+  using PathRows = kernel::SpatialPaths;
   static constexpr bool kSpatial = true;
+  [[nodiscard]] static const kernel::Steps& steps(const kernel::Kernel& kernel) { return kernel.spatial; }
 };
 
 /// A view that takes no part in the deduction of the space, so that vectors and empty braces convert to it.

@@ -37,6 +37,12 @@ class Hermite {
   Hermite(const PlanarPose& start, const PlanarPose& end);
 
   [[nodiscard]] double chord_m() const { return chord_m_; }
+  [[nodiscard]] const Vec2& start_m() const { return start_m_; }
+  /// What the choice and the formula need, in the chord frame: see the members.
+  [[nodiscard]] bool forward() const { return forward_; }
+  [[nodiscard]] Complex half_start() const { return half_start_; }
+  [[nodiscard]] Complex half_end() const { return half_end_; }
+  [[nodiscard]] Complex half_chord() const { return half_chord_; }
   /// The path of positive controls.
   [[nodiscard]] PlanarPath path(const Controls& m) const;
   /// Its length (m) alone.

@@ -63,6 +63,8 @@ class PlanarPath {
   [[nodiscard]] const std::array<double, 3>& bend() const { return bend_; }
   [[nodiscard]] const std::array<double, 5>& speed_powers() const { return profile_.powers(); }
   [[nodiscard]] const SpeedProfile& profile() const { return profile_; }
+  /// A coordinate of the position from the start, by powers of q, from q^1.
+  [[nodiscard]] const std::array<double, 5>& place_powers(std::size_t axis) const { return axis == 0 ? x_ : y_; }
 
  private:
   Vec2 start_m_ = Vec2::Zero();

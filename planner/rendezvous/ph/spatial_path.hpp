@@ -74,6 +74,8 @@ class SpatialPath {
   [[nodiscard]] const std::array<double, 7>& twist() const { return twist_; }
   [[nodiscard]] const std::array<double, 5>& speed_powers() const { return profile_.powers(); }
   [[nodiscard]] const SpeedProfile& profile() const { return profile_; }
+  /// A coordinate of the position from the start, by powers of q, from q^1.
+  [[nodiscard]] const std::array<double, 5>& place_powers(std::size_t axis) const { return place_[axis]; }
 
  private:
   void set_bend(const Vec3& p0, const Vec3& p1, const Vec3& p2);

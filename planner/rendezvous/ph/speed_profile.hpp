@@ -25,6 +25,8 @@ class SpeedProfile {
 
   [[nodiscard]] double length_m() const { return length_m_; }
   [[nodiscard]] const std::array<double, 5>& powers() const { return speed_; }
+  /// Of arc length, from q^1.
+  [[nodiscard]] const std::array<double, 5>& arc_powers() const { return s_; }
   [[nodiscard]] double speed(double q) const { return quartic(speed_, q); }
   [[nodiscard]] double arc_length(double q) const { return q * quartic(s_, q); }
 

@@ -41,25 +41,37 @@ void hash_individual(StateHash& hash, const EvaluationIn<Space>& e) {
 }  // namespace
 
 template <typename Space>
-GeneticPopulationIn<Space>::GeneticPopulationIn(const Problem& problem) {
+GeneticPopulationIn<Space>::GeneticPopulationIn(const Problem& problem)
+    : individuals_(static_cast<std::size_t>(problem.options.particles)),
+      costs_(problem, individuals_.size(), Evaluate::Always),
+      elite_points_(static_cast<std::size_t>(problem.options.check_points), 1),
+      wheel_(individuals_.size()) {
   const Interval& range = problem.own().range_m;
-  individuals_.resize(static_cast<std::size_t>(problem.options.particles));
   for (std::size_t j = 0; j < individuals_.size(); ++j) {
     RandomStream stream(problem.seed, problem.own().id, Purpose::SwarmStart, j);
-    ph::Controls controls;
+    ph::Controls& controls = individuals_[j].controls;
     for (double ph::Controls::*gene : kGenes) controls.*gene = range.clamp(stream.uniform(range.min, range.max));
-    evaluate(problem, controls, individuals_[j]);
   }
-  wheel_.resize(individuals_.size());
+  costs_.evaluate(problem, individuals_);
+  costs_.walk_all(problem);
   best_ = *std::ranges::min_element(individuals_, {}, &Evaluation::own);
   own_best_ = best_;
 }
 
 template <typename Space>
-void GeneticPopulationIn<Space>::advance(const Problem& problem, std::span<const PeerPath> peers,
+void GeneticPopulationIn<Space>::advance(const Problem& problem, View<PeerPath> peers,
+                                         std::optional<double> reference_length_m) {
+  peers_.assign(peers, static_cast<std::size_t>(problem.options.check_points));
+  advance(problem, peers_.peers(), reference_length_m);
+}
+
+template <typename Space>
+void GeneticPopulationIn<Space>::advance(const Problem& problem, const kernel::Peers& peers,
                                          std::optional<double> reference_length_m) {
   refresh(problem, peers, reference_length_m);
-  const Evaluation elite = *std::ranges::min_element(individuals_, {}, &Evaluation::modified);
+  const std::size_t best = costs_.least(problem, individuals_);
+  const Evaluation elite = individuals_[best];
+  elite_points_.copy_lane(costs_.points(), best, 0);
   const std::size_t count = individuals_.size();
   ++generation_;
   std::vector<ph::Controls> children;
@@ -73,26 +85,30 @@ void GeneticPopulationIn<Space>::advance(const Problem& problem, std::span<const
       children.push_back(mutated(problem, child, stream));
     }
   }
-  for (std::size_t j = 0; j < count; ++j) {
-    evaluate(problem, children[j], individuals_[j]);
-    modify(problem, peers, reference_length_m, individuals_[j]);
-    if (individuals_[j].own < own_best_.own) own_best_ = individuals_[j];
+  for (std::size_t j = 0; j < count; ++j) individuals_[j].controls = children[j];
+  costs_.evaluate(problem, individuals_);
+  costs_.bound(problem, individuals_);
+  for (const Evaluation& child : individuals_) {
+    if (child.own < own_best_.own) own_best_ = child;
   }
-  *std::ranges::max_element(individuals_, {}, &Evaluation::modified) = elite;
-  best_ = *std::ranges::min_element(individuals_, {}, &Evaluation::modified);
+  const std::size_t worst = costs_.largest(problem, individuals_);
+  individuals_[worst] = elite;
+  costs_.replace(worst, elite_points_, 0);
+  best_ = individuals_[costs_.least(problem, individuals_)];
 }
 
 /// Costs in the group as it is now (stale ones stay as they were stored), and the roulette wheel from them.
 template <typename Space>
-void GeneticPopulationIn<Space>::refresh(const Problem& problem, std::span<const PeerPath> peers,
+void GeneticPopulationIn<Space>::refresh(const Problem& problem, const kernel::Peers& peers,
                                          std::optional<double> reference_length_m) {
+  if (problem.options.refresh_costs != 0 || generation_ == 0) {
+    costs_.face(problem, peers, reference_length_m, individuals_);
+  } else {
+    costs_.expect(peers, reference_length_m);
+  }
   double sum = 0.0;
   for (std::size_t j = 0; j < individuals_.size(); ++j) {
-    Evaluation& individual = individuals_[j];
-    if (problem.options.refresh_costs != 0 || generation_ == 0) {
-      modify(problem, peers, reference_length_m, individual);
-    }
-    sum += 1.0 / std::max(individual.modified, kLeastCost);
+    sum += 1.0 / std::max(individuals_[j].modified, kLeastCost);
     wheel_[j] = sum;
   }
 }

@@ -18,7 +18,7 @@
 
 #include "planner/core/hash/state_hash.hpp"
 #include "planner/core/random/random_stream.hpp"
-#include "planner/rendezvous/cost/cost.hpp"
+#include "planner/rendezvous/swarm/lazy_costs.hpp"
 
 namespace skein::rendezvous {
 
@@ -33,22 +33,26 @@ class GeneticPopulationIn {
   explicit GeneticPopulationIn(const Problem& problem);
 
   /// The next generation; parameters as of SubSwarm::advance.
-  void advance(const Problem& problem, std::span<const PeerPath> peers, std::optional<double> reference_length_m);
+  void advance(const Problem& problem, const kernel::Peers& peers, std::optional<double> reference_length_m);
+  void advance(const Problem& problem, View<PeerPath> peers, std::optional<double> reference_length_m);
 
   [[nodiscard]] std::int32_t generation() const { return generation_; }
   /// The representative: best individual by modified cost (Eq. 14). In generation 0 best by own cost.
   [[nodiscard]] const Evaluation& best() const { return best_; }
-  /// The best so far by own cost (Eq. 11).
+  /// The best so far by own cost (Eq. 11); without points, as all here.
   [[nodiscard]] const Evaluation& own_best() const { return own_best_; }
 
   void add_to(StateHash& hash) const;
 
  private:
-  void refresh(const Problem& problem, std::span<const PeerPath> peers, std::optional<double> reference_length_m);
+  void refresh(const Problem& problem, const kernel::Peers& peers, std::optional<double> reference_length_m);
   [[nodiscard]] const ph::Controls& spin(RandomStream& stream) const;
 
   std::int32_t generation_ = 0;
   std::vector<Evaluation> individuals_;
+  LazyCostsIn<Space> costs_;  ///< of the individuals, all found out at once
+  PeerTableIn<Space> peers_;  ///< for callers that hold none
+  PointTableIn<Space> elite_points_;
   std::vector<double> wheel_;  ///< running sums of fitness
   Evaluation best_;
   Evaluation own_best_;

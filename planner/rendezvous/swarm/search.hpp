@@ -25,7 +25,7 @@ class SearchIn {
                                                : Either(SubSwarmIn<Space>(problem))) {}
 
   /// The next generation; parameters as of SubSwarm::advance.
-  void advance(const Problem& problem, std::span<const PeerPath> peers, std::optional<double> reference_length_m) {
+  void advance(const Problem& problem, const kernel::Peers& peers, std::optional<double> reference_length_m) {
     std::visit([&](auto& search) { search.advance(problem, peers, reference_length_m); }, search_);
   }
 

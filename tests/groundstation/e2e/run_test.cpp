@@ -67,6 +67,11 @@ TEST(Run, HashDoesNotDependOnTheProcessorsInstructions) {
   ASSERT_EQ(plain.ended.exit_code, 0) << plain.ended.err;
   ASSERT_EQ(masked.ended.exit_code, 0) << masked.ended.err;
   EXPECT_EQ(plain.report.at("state_hash"), masked.report.at("state_hash"));
+  // The plain formulation: one candidate at a time, nothing pruned.
+  const SkeinRun scalar =
+      skein_run(scenario_path("rendezvous-2d"), kDomain, out.path() + "/c", flags, {"SKEIN_ISA=scalar"});
+  ASSERT_EQ(scalar.ended.exit_code, 0) << scalar.ended.err;
+  EXPECT_EQ(plain.report.at("state_hash"), scalar.report.at("state_hash"));
 }
 
 class KilledAgent : public testing::TestWithParam<std::string> {};

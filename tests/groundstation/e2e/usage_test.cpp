@@ -70,6 +70,18 @@ TEST(Usage, BadFlagsGiveOneLineAndExitCode2) {
   }
 }
 
+TEST(Usage, AnUnknownInstructionSetIsRefusedByEveryBinary) {
+  const std::string good = scenario_path("rendezvous-2d");
+  for (const std::vector<std::string>& command : {std::vector<std::string>{binary("skein"), "validate", good},
+                                                  std::vector<std::string>{binary("skein-agent"), "--id", "1"},
+                                                  {binary("skein-simworld"), good}}) {
+    const Ended ended = run_program(command, 30.0, {"SKEIN_ISA=sse9"});
+    EXPECT_EQ(ended.exit_code, 2) << ended.err;
+    EXPECT_EQ(lines_of(ended.err), 1) << ended.err;
+    EXPECT_NE(ended.err.find("SKEIN_ISA is 'sse9'"), std::string::npos) << ended.err;
+  }
+}
+
 TEST(Usage, GoodOnesSucceed) {
   EXPECT_EQ(run_program({binary("skein"), "version"}, 30.0).exit_code, 0);
   const Ended valid = run_program({binary("skein"), "validate", scenario_path("rendezvous-2d"), "--json"}, 30.0);

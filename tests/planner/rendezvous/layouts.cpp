@@ -91,6 +91,24 @@ Mission layout_space(std::uint64_t seed) {
   return mission;
 }
 
+Mission ring(std::uint64_t seed, int n, double start_m, double slot_m) {
+  Mission mission = open_field(seed);
+  const VehicleSpec model = mission.vehicles[0];
+  mission.vehicles.clear();
+  mission.formation.position_m.setZero();
+  for (int k = 0; k < n; ++k) {
+    VehicleSpec vehicle = model;
+    const double at = math::kTwoPi * k / n;
+    const Vec3 outward(math::cos(at), math::sin(at), 0.0);
+    vehicle.id = static_cast<AgentId>(k + 1);
+    vehicle.start.position_m = start_m * outward;
+    vehicle.start.heading_rad = math::wrap_angle(at + math::kPi + 1.0);
+    vehicle.slot_offset_m = -slot_m * outward;
+    mission.vehicles.push_back(vehicle);
+  }
+  return mission;
+}
+
 Mission as_points(Mission mission) {
   for (VehicleSpec& spec : mission.vehicles) spec.radius_m = 0.0;
   mission.planner.clearance_margin_m = 0.0;

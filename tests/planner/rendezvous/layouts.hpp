@@ -26,7 +26,10 @@ namespace skein::test {
 /// cylinder.
 [[nodiscard]] Mission layout_space(std::uint64_t seed);
 
-/// The same with points for vehicles and no margin: the figures of the paper.
+/// n UAVs on a ring, started 1 rad off the way to the centre, to slots across another ring; radii in metres.
+[[nodiscard]] Mission ring(std::uint64_t seed, int n, double start_m, double slot_m);
+
+/// A mission with points for vehicles and no margin: the figures of the paper.
 [[nodiscard]] Mission as_points(Mission mission);
 
 [[nodiscard]] Zone circle_km(double x, double y, double radius);

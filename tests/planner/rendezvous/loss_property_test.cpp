@@ -2,7 +2,6 @@
 // with one length. And many UAVs at once find their way past each other.
 #include <gtest/gtest.h>
 
-#include "planner/core/math/det_math.hpp"
 #include "planner/core/random/random_stream.hpp"
 #include "tests/planner/rendezvous/layouts.hpp"
 #include "tests/planner/rendezvous/swarm_run.hpp"
@@ -55,31 +54,12 @@ TEST(LossProperty, TheLastOneLeftStillPlans) {
   expect_one_length(run);
 }
 
-/// n UAVs on a ring of 10 km, started 1 rad off the way to the centre, to slots across a ring of 2 km.
-Mission ring(std::uint64_t seed, int n) {
-  Mission mission = test::open_field(seed);
-  const VehicleSpec model = mission.vehicles[0];
-  mission.vehicles.clear();
-  mission.formation.position_m.setZero();
-  for (int k = 0; k < n; ++k) {
-    VehicleSpec vehicle = model;
-    const double at = math::kTwoPi * k / n;
-    const Vec3 outward(math::cos(at), math::sin(at), 0.0);
-    vehicle.id = static_cast<AgentId>(k + 1);
-    vehicle.start.position_m = 10000.0 * outward;
-    vehicle.start.heading_rad = math::wrap_angle(at + math::kPi + 1.0);
-    vehicle.slot_offset_m = -2000.0 * outward;
-    mission.vehicles.push_back(vehicle);
-  }
-  return mission;
-}
-
 TEST(LossProperty, RingsFindTheirWayPastEachOther) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_one_length(test::run_swarm(ring(seed, 5)));
+    expect_one_length(test::run_swarm(test::ring(seed, 5, 10000.0, 2000.0)));
   }
-  expect_one_length(test::run_swarm(ring(1, 12)));
+  expect_one_length(test::run_swarm(test::ring(1, 12, 10000.0, 2000.0)));
 }
 
 }  // namespace

@@ -17,9 +17,10 @@ double SwarmRun::longest_m() const {
   return longest;
 }
 
-SwarmRun run_swarm(const Mission& mission, int max_rounds, const Interfere& interfere) {
+SwarmRun run_swarm(const Mission& mission, int max_rounds, const Interfere& interfere,
+                   const rendezvous::kernel::Kernel& kernel) {
   SwarmRun run;
-  for (const VehicleSpec& vehicle : mission.vehicles) run.planners.emplace_back(mission, vehicle.id);
+  for (const VehicleSpec& vehicle : mission.vehicles) run.planners.emplace_back(mission, vehicle.id, kernel);
   for (; run.rounds < max_rounds; ++run.rounds) {
     if (interfere) interfere(run.rounds, run);
     std::vector<PlanRound> next;

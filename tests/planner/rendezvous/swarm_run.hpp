@@ -21,6 +21,7 @@ struct SwarmRun {
 using Interfere = std::function<void(int round, SwarmRun& run)>;
 
 /// Advances all planners until none is Planning, or for `max_rounds` rounds.
-[[nodiscard]] SwarmRun run_swarm(const Mission& mission, int max_rounds = 200, const Interfere& interfere = {});
+[[nodiscard]] SwarmRun run_swarm(const Mission& mission, int max_rounds = 200, const Interfere& interfere = {},
+                                 const rendezvous::kernel::Kernel& kernel = rendezvous::kernel::chosen_kernel());
 
 }  // namespace skein::test

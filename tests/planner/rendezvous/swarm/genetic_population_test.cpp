@@ -15,7 +15,7 @@ Problem problem_of(Mission mission, AgentId self) {
 
 GeneticPopulation evolved(const Problem& problem, int generations) {
   GeneticPopulation population(problem);
-  for (int g = 0; g < generations; ++g) population.advance(problem, {}, std::nullopt);
+  for (int g = 0; g < generations; ++g) population.advance(problem, std::span<const PeerPath>(), std::nullopt);
   return population;
 }
 
@@ -45,7 +45,7 @@ TEST(GeneticPopulation, TheEliteNeverGetsWorseWhileNothingElseChanges) {
     for (int g = 1; g <= 50; ++g) {
       const double best = population.best().modified;
       const double own = population.own_best().own;
-      population.advance(problem, {}, std::nullopt);
+      population.advance(problem, std::span<const PeerPath>(), std::nullopt);
       EXPECT_EQ(population.generation(), g);
       EXPECT_LE(population.best().modified, best);
       EXPECT_LE(population.own_best().own, own);
@@ -89,7 +89,7 @@ TEST(GeneticPopulation, ItsCostsFollowTheReferenceLength) {
   const Problem problem = problem_of(test::open_field(2), 2);
   GeneticPopulation population = evolved(problem, 50);
   ASSERT_LT(population.best().length_m, 32000.0);
-  for (int g = 0; g < 50; ++g) population.advance(problem, {}, 35061.0);
+  for (int g = 0; g < 50; ++g) population.advance(problem, std::span<const PeerPath>(), 35061.0);
   EXPECT_NEAR(population.best().length_m, 35061.0, 350.0);
   EXPECT_LT(population.own_best().length_m, 32000.0);
 }
@@ -99,7 +99,7 @@ TEST(GeneticPopulation, StaleCostsStayAsTheyWereStored) {
   problem.options.refresh_costs = 0;
   GeneticPopulation population = evolved(problem, 50);
   const double cost = population.best().modified;
-  population.advance(problem, {}, 60000.0);  // by the new reference every path costs far more
+  population.advance(problem, std::span<const PeerPath>(), 60000.0);  // by the new reference every path costs far more
   EXPECT_EQ(population.best().modified, cost);
 }
 

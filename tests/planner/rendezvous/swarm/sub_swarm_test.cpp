@@ -12,14 +12,17 @@ namespace {
 
 SubSwarm evolved(const Problem& problem, int generations) {
   SubSwarm swarm(problem);
-  for (int g = 0; g < generations; ++g) swarm.advance(problem, {}, std::nullopt);
+  for (int g = 0; g < generations; ++g) swarm.advance(problem, std::span<const PeerPath>(), std::nullopt);
   return swarm;
 }
 
 /// Best lengths (km) of the three UAVs, each for itself, over all generations.
 std::vector<Evaluation> alone(const Mission& mission) {
   std::vector<Evaluation> bests;
-  for (AgentId id = 1; id <= 3; ++id) bests.push_back(evolved(make_problem(mission, id), 50).own_best());
+  for (AgentId id = 1; id <= 3; ++id) {
+    const Problem problem = make_problem(mission, id);
+    evaluate(problem, evolved(problem, 50).own_best().controls, bests.emplace_back());
+  }
   return bests;
 }
 
@@ -64,7 +67,7 @@ TEST(SubSwarm, BestsNeverGetWorseWhileNothingElseChanges) {
   for (int g = 1; g <= 50; ++g) {
     const double best = swarm.best().modified;
     const double own = swarm.own_best().own;
-    swarm.advance(problem, {}, std::nullopt);
+    swarm.advance(problem, std::span<const PeerPath>(), std::nullopt);
     EXPECT_EQ(swarm.generation(), g);
     EXPECT_LE(swarm.best().modified, best);
     EXPECT_LE(swarm.own_best().own, own);
@@ -77,7 +80,7 @@ TEST(SubSwarm, StoredCostsFollowTheReferenceLength) {
   const Problem problem = make_problem(test::open_field(2), 2);
   SubSwarm swarm = evolved(problem, 30);
   ASSERT_LT(swarm.best().length_m, 32000.0);
-  for (int g = 0; g < 30; ++g) swarm.advance(problem, {}, 35061.0);
+  for (int g = 0; g < 30; ++g) swarm.advance(problem, std::span<const PeerPath>(), 35061.0);
   EXPECT_NEAR(swarm.best().length_m, 35061.0, 30.0);
   EXPECT_LT(swarm.own_best().length_m, 32000.0);
 }
@@ -87,10 +90,10 @@ TEST(SubSwarm, StaleCostsStayAsTheyWereStored) {
   problem.options.refresh_costs = 0;
   SubSwarm swarm = evolved(problem, 30);
   const double cost = swarm.best().modified;
-  swarm.advance(problem, {}, 60000.0);  // by the new reference every path costs far more
+  swarm.advance(problem, std::span<const PeerPath>(), 60000.0);  // by the new reference every path costs far more
   EXPECT_EQ(swarm.best().modified, cost);
   problem.options.refresh_costs = 1;
-  swarm.advance(problem, {}, 60000.0);
+  swarm.advance(problem, std::span<const PeerPath>(), 60000.0);
   EXPECT_GT(swarm.best().modified, 2.0 * cost);
 }
 
@@ -101,7 +104,7 @@ TEST(SubSwarm, ARepresentativeInTheWayIsAvoided) {
   PeerPath shifted = blocker;
   for (std::size_t k = 5; k + 5 < shifted.points_m.size(); ++k) shifted.points_m[k] += Vec2(50.0, 50.0);
   for (std::size_t k = 0; k < 5; ++k) shifted.points_m[k] = shifted.points_m[49 - k] = Vec2(-1e6, -1e6);
-  for (int g = 0; g < 30; ++g) swarm.advance(problem, {&shifted, 1}, std::nullopt);
+  for (int g = 0; g < 30; ++g) swarm.advance(problem, std::span<const PeerPath>(&shifted, 1), std::nullopt);
   EXPECT_EQ(first_violation(swarm.best().terms), Constraint::None);
   EXPECT_GT((swarm.best().points_m[25] - shifted.points_m[25]).norm(), 200.0);
 }
