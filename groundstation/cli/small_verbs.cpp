@@ -8,6 +8,7 @@
 #include "idl/wire.hpp"
 #include "simworld/process/world_process.hpp"
 #include "simworld/report/report.hpp"
+#include "simworld/scenario/checks.hpp"
 
 namespace skein {
 namespace {
@@ -23,6 +24,7 @@ int validate(const WorldArguments& arguments, bool json) {
   }
   const auto& scenario = std::get<Scenario>(result);
   const Mission& mission = scenario.mission;
+  const std::vector<std::string> notes = scenario::notes_of(mission);
   if (json) {
     std::cout << nlohmann::ordered_json{{"valid", true},
                                         {"scenario", mission.name},
@@ -30,11 +32,13 @@ int validate(const WorldArguments& arguments, bool json) {
                                         {"seed", mission.seed},
                                         {"vehicles", mission.vehicles.size()},
                                         {"zones", mission.zones.size()},
-                                        {"planner", mission.planner.name}}
+                                        {"planner", mission.planner.name},
+                                        {"notes", notes}}
               << "\n";
   } else {
     std::cout << fmt::format("{}: valid: {} vehicles, {} zones, planner {}, seed {}\n", arguments.scenario,
                              mission.vehicles.size(), mission.zones.size(), mission.planner.name, mission.seed);
+    for (const std::string& note : notes) std::cout << fmt::format("{}: note: {}\n", arguments.scenario, note);
   }
   return 0;
 }

@@ -66,6 +66,7 @@ void print_table(const Json& rows) {
     std::cout << fmt::format("  {:<34} {:>13} {:>12} {:>13} {:>13} {:>13} {:>13}\n", "figure", "mean", "sd", "min",
                              "p50", "p95", "max");
     for (const auto& [name, s] : row.at("figures").items()) {
+      if (!is_printed(name, row.at("figures"))) continue;
       std::cout << fmt::format("  {:<34} {:>13.6g} {:>12.4g} {:>13.6g} {:>13.6g} {:>13.6g} {:>13.6g}\n", name,
                                s.at("mean").get<double>(), s.at("sd").get<double>(), s.at("min").get<double>(),
                                s.at("p50").get<double>(), s.at("p95").get<double>(), s.at("max").get<double>());
@@ -140,6 +141,7 @@ VerbAction add_sweep_verb(CLI::App& app) {
   add_scenario_options(*verb, arguments->world);
   verb->get_option("--set")->description("key=a,b,c: a scenario key and the values it takes in turn; may be repeated");
   verb->get_option("--planner")->description("a,b,c: the same as --set planner.name=a,b,c");
+  verb->get_option("--agents")->description("a,b,c: the same as --set vehicles.ring.agents=a,b,c");
   verb->get_option("--seed")->description("seed of the first run (0); run i has this seed + i");
   verb->add_option("--runs", arguments->runs, "runs of each combination")
       ->check(CLI::Range(1U, 10'000'000U))

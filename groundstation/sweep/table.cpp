@@ -90,7 +90,21 @@ std::string mean_text(const Json& figures, const std::string& name) {
                      figure.at("sd").get<double>(), digits);
 }
 
+bool is_of_a_pair(const std::string& name) {
+  return name.starts_with("separations.");
+}
+
 }  // namespace
+
+bool is_printed(const std::string& name, const Json& figures) {
+  if (!is_of_a_pair(name)) return true;
+  const std::string kind = name.substr(name.rfind('.'));
+  std::size_t pairs = 0;
+  for (const auto& [other, figure] : figures.items()) {
+    pairs += is_of_a_pair(other) && other.ends_with(kind) ? 1 : 0;
+  }
+  return pairs <= kPairsPrinted;
+}
 
 Interval95 interval_of(std::size_t count, std::size_t of) {
   const double n = static_cast<double>(of);
@@ -123,6 +137,7 @@ std::string text_of_table(const Json& table) {
   for (const Json& entry : table) {
     width = std::max(width, title_of(entry).size() + 2);
     for (const auto& [name, figure] : entry.at("figures").items()) {
+      if (!is_printed(name, entry.at("figures"))) continue;
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
   }

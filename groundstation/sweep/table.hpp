@@ -31,6 +31,10 @@ struct Interval95 {
 /// The table for people: a column an entry, a line a figure; ends with a newline.
 [[nodiscard]] std::string text_of_table(const nlohmann::ordered_json& table);
 
+/// Whether a figure is printed for people: of more pairs of vehicles than these only --json has each.
+inline constexpr std::size_t kPairsPrinted = 15;
+[[nodiscard]] bool is_printed(const std::string& name, const nlohmann::ordered_json& figures);
+
 /// A row's name: its swept values, the planner's without its key.
 [[nodiscard]] std::string title_of(const nlohmann::ordered_json& row);
 

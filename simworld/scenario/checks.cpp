@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "planner/core/geometry/distance.hpp"
+#include "planner/core/geometry/frames.hpp"
 
 namespace skein::scenario {
 namespace {
@@ -66,7 +67,26 @@ void check_height(const Mission& mission, const Spots& spots) {
   }
 }
 
+/// Cosine above which two directions count as one: 0.1 milliradian.
+constexpr double kSameDirection = 1.0 - 5e-9;
+
 }  // namespace
+
+std::vector<std::string> notes_of(const Mission& mission) {
+  std::vector<std::string> notes;
+  for (const VehicleSpec& vehicle : mission.vehicles) {
+    const Pose slot = slot_pose(mission, vehicle);
+    const Vec3 along = (slot.position_m - vehicle.start.position_m).normalized();
+    if (along.dot(direction_of(vehicle.start)) < kSameDirection || along.dot(direction_of(slot)) < kSameDirection) {
+      continue;
+    }
+    notes.push_back(
+        fmt::format("vehicle {} cannot change the length of its path: it starts and arrives along the "
+                    "straight line; turn its start, or the formation",
+                    vehicle.id));
+  }
+  return notes;
+}
 
 void check_mission(const Mission& mission, const Places& places) {
   Spots starts{"start", {}, places.starts};

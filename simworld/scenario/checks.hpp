@@ -5,10 +5,17 @@
 // path). Source: papers/001, Eq. 11 and 17. Departs from source: none. Complexity: O(vehicles^2 + vehicles * zones).
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "planner/core/mission/mission.hpp"
 #include "simworld/scenario/sections.hpp"
 
 namespace skein::scenario {
+
+/// What may be meant, but seldom is, one line each: vehicles whose start heading, chord and end heading point the same
+/// way. Their path is the straight line for every (m0, m1), so they cannot reach a common length that is longer.
+[[nodiscard]] std::vector<std::string> notes_of(const Mission& mission);
 
 /// @throws ReadFault at the start or slot that has no room
 void check_mission(const Mission& mission, const Places& places);

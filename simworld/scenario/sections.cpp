@@ -9,6 +9,7 @@
 
 #include "planner/core/options/rendezvous_options.hpp"
 #include "simworld/scenario/reader.hpp"
+#include "simworld/scenario/ring.hpp"
 
 namespace skein::scenario {
 namespace {
@@ -18,7 +19,8 @@ constexpr Keys kRoot[] = {"name",     "kind",      "seed",      "length_unit_m",
                           "vehicles", "formation", "obstacles", "no_fly",        "terrain", "planner",
                           "lockstep", "world"};
 constexpr Keys kVehicles[] = {"type",     "speed_mps",       "max_curvature_per_m", "max_torsion_per_m",
-                              "radius_m", "safety_radius_m", "on_agent_loss",       "starts"};
+                              "radius_m", "safety_radius_m", "on_agent_loss",       "starts",
+                              "ring"};
 constexpr Keys kStart[] = {"id", "x_m", "y_m", "z_m", "heading_rad", "climb_rad"};
 constexpr Keys kFormation[] = {"x_m", "y_m", "z_m", "heading_rad", "slots"};
 constexpr Keys kSlot[] = {"id", "x_m", "y_m", "z_m"};
@@ -124,6 +126,30 @@ void read_slots(const MapReader& formation, std::map<AgentId, Placed>& placed) {
   }
 }
 
+/// Vehicles with start and slot: on a ring, or one by one.
+Places read_placed(const MapReader& vehicles, const MapReader& formation, const VehicleSpec& common, Mission& mission) {
+  Places places;
+  if (vehicles.find("ring") != nullptr) {
+    for (const std::string_view key : {"starts", "slots"}) {
+      const MapReader& map = key == "starts" ? vehicles : formation;
+      if (map.find(key) != nullptr) map.refuse(key, "no such list beside vehicles.ring");
+    }
+    mission.vehicles = read_ring(vehicles, common, mission.formation);
+    const Place place = place_of_item(*vehicles.find("ring"));
+    places.starts.assign(mission.vehicles.size(), place);
+    places.slots = places.starts;
+    return places;
+  }
+  std::map<AgentId, Placed> placed = read_starts(vehicles, common);
+  read_slots(formation, placed);
+  for (const auto& [id, vehicle] : placed) {
+    mission.vehicles.push_back(vehicle.spec);
+    places.starts.push_back(vehicle.start);
+    places.slots.push_back(vehicle.slot);
+  }
+  return places;
+}
+
 void read_heights(const MapReader& item, double& z_min_m, double& z_max_m) {
   z_min_m = item.number("z_min_m", kHeight, z_min_m);
   z_max_m = item.number("z_max_m", kHeight, z_max_m);
@@ -203,11 +229,11 @@ Places read_sections(const YamlNode& root_node, Scenario& into) {
   const MapReader lockstep = root.map("lockstep", kLockstep, false);
   const MapReader world = root.map("world", kWorld, false);
 
-  std::map<AgentId, Placed> placed = read_starts(vehicles, read_vehicle_type(vehicles, into.world));
+  const VehicleSpec common = read_vehicle_type(vehicles, into.world);
   Pose& pose = into.mission.formation;
   pose.position_m = read_point(formation);
   pose.heading_rad = formation.number("heading_rad", kHeading);
-  read_slots(formation, placed);
+  Places places = read_placed(vehicles, formation, common, into.mission);
   read_zones(root, "obstacles", false, into.mission.zones);
   read_zones(root, "no_fly", true, into.mission.zones);
   into.mission.terrain = read_terrain(root, into.mission.length_unit_m);
@@ -215,13 +241,6 @@ Places read_sections(const YamlNode& root_node, Scenario& into) {
   into.lockstep.deadline_s = lockstep.number("deadline_s", {0.1, 3600, "s"}, into.lockstep.deadline_s);
   into.world.max_steps = static_cast<std::uint32_t>(world.whole("max_steps", 1, kMostSteps, into.world.max_steps));
   into.world.max_rounds = static_cast<std::uint32_t>(world.whole("max_rounds", 1, kMostSteps, into.world.max_rounds));
-
-  Places places;
-  for (const auto& [id, vehicle] : placed) {
-    into.mission.vehicles.push_back(vehicle.spec);
-    places.starts.push_back(vehicle.start);
-    places.slots.push_back(vehicle.slot);
-  }
   return places;
 }
 

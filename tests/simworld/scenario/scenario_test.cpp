@@ -1,6 +1,8 @@
 // What a good scenario becomes, value by value, and which seed and hash it has.
 #include <fmt/core.h>
 
+#include "planner/core/geometry/frames.hpp"
+#include "simworld/scenario/checks.hpp"
 #include "tests/simworld/scenario/scenarios.hpp"
 
 namespace skein::test {
@@ -71,6 +73,40 @@ TEST(Scenario, TheThirdAxisIsThatOfThePaper) {
   EXPECT_EQ(std::get<Box>(mission.zones[4].shape).min_m, Vec3(10000, 8000, 3400));
   ASSERT_TRUE(mission.terrain.has_value());
   EXPECT_EQ(*mission.terrain, (Terrain{0.5, -1.15, 0.5, 3.42, 0.6, 0.327, 0.5, 0.08, 0.05, 1000.0}));
+}
+
+TEST(Scenario, ARingPutsEverySlotOppositeItsStart) {
+  const std::vector<Override> many{{"vehicles.ring.agents", "25"}, {"formation.heading_rad", "0.7"}};
+  const Mission mission = scenario_of(load_scenario(kScenarioDir + "rendezvous-ring.yaml", many, {})).mission;
+  ASSERT_EQ(mission.vehicles.size(), 25U);
+  for (std::size_t k = 0; k < 25; ++k) {
+    const VehicleSpec& vehicle = mission.vehicles[k];
+    EXPECT_EQ(vehicle.id, k + 1);
+    const Vec3& start_m = vehicle.start.position_m;
+    EXPECT_NEAR(start_m.norm(), 10000.0, 1e-6);
+    EXPECT_LT((slot_pose(mission, vehicle).position_m + 0.2 * start_m).norm(), 1e-6);
+    EXPECT_NEAR(direction_of(vehicle.start).dot(-start_m.normalized()), 0.5403023058681398, 1e-9) << "cos 1";
+  }
+  EXPECT_TRUE(scenario::notes_of(mission).empty());
+}
+
+TEST(Scenario, ARingStandsForStartsAndSlots) {
+  const std::string ring = kScenarioDir + "rendezvous-ring.yaml";
+  const auto line = [&](const std::vector<Override>& changes) { return fault_line(load_scenario(ring, changes, {})); };
+  EXPECT_EQ(line({{"vehicles.starts", "[]"}}),
+            "--set vehicles.starts: vehicles.starts is a list; allowed: no such list beside vehicles.ring");
+  EXPECT_EQ(line({{"vehicles.ring.agents", "1"}}),
+            "--set vehicles.ring.agents: vehicles.ring.agents is 1; allowed: a whole number from 2 to 256");
+  EXPECT_EQ(fault_line(load_small({{"vehicles.ring.agents", "4"}})).substr(kDataDir.size()),
+            "small.yaml:14:5: vehicles.starts is a list; allowed: no such list beside vehicles.ring");
+}
+
+TEST(Scenario, VehiclesThatCannotChangeTheirLengthAreNamed) {
+  const Mission straight = scenario_of(load_small({{"vehicles.starts.2.y_m", "700"}})).mission;
+  const std::vector<std::string> notes = scenario::notes_of(straight);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].substr(0, 51), "vehicle 2 cannot change the length of its path: it ");
+  EXPECT_TRUE(scenario::notes_of(scenario_of(load_small({})).mission).empty());
 }
 
 TEST(Scenario, ZonesOfEitherShapeAreObstaclesOrNoFly) {
