@@ -3,9 +3,22 @@
 #include <stdexcept>
 
 namespace skein {
+namespace {
+
+Vec3 at_height(const Vec2& p, double height_m) {
+  return {p.x(), p.y(), height_m};
+}
+Vec3 at_height(const Vec3& p, double /*height_m*/) {
+  return p;
+}
+
+}  // namespace
 
 RendezvousBehaviour::RendezvousBehaviour(const Mission& mission, AgentId self)
-    : planner_(mission, self), follower_(vehicle_of(mission, self), mission.step_s) {}
+    : planner_(mission, self),
+      vehicle_(vehicle_of(mission, self).type),
+      follower_(vehicle_of(mission, self), mission.step_s),
+      reference_(vehicle_of(mission, self), mission.step_s) {}
 
 RoundOutput RendezvousBehaviour::on_round(const RoundInput& input) {
   last_.representative.reset();
@@ -40,15 +53,27 @@ void RendezvousBehaviour::plan(const RoundInput& input) {
 }
 
 void RendezvousBehaviour::fly(const Sense& sense) {
-  const PathFollower::Command command = std::visit(
-      [&](const auto& planner) { return follower_.command(planner.path(), sense.pose); }, planner_.in_space());
-  last_.mode = command.path_flown ? AgentMode::Arrived : AgentMode::Flying;
-  last_.commanded_velocity_mps = command.velocity_mps;
+  const auto fly_along = [&](const auto& planner) {
+    const auto& path = planner.path();
+    if (vehicle_ == VehicleType::ConstantSpeed) {
+      const PathFollower::Command command = follower_.command(path, sense.pose);
+      last_.mode = command.path_flown ? AgentMode::Arrived : AgentMode::Flying;
+      last_.commanded_velocity_mps = command.velocity_mps;
+      return;
+    }
+    const double height_m = sense.pose.position_m.z();  // a plane's paths have none of their own
+    const auto position_at = [&](double s_m) { return at_height(path.position_at(s_m), height_m); };
+    const MovingReference::Command command = reference_.command(path.length_m(), position_at, sense.pose.position_m);
+    last_.mode = command.path_flown ? AgentMode::Arrived : AgentMode::Flying;
+    last_.commanded_velocity_mps = command.velocity_mps;
+  };
+  std::visit(fly_along, planner_.in_space());
 }
 
 void RendezvousBehaviour::add_to(StateHash& hash) const {
   planner_.add_to(hash);
   follower_.add_to(hash);
+  if (vehicle_ == VehicleType::Multirotor) reference_.add_to(hash);
   hash.add(last_.mode).add(last_.commanded_velocity_mps).add(last_.planned_length_m).add(last_.cost);
 }
 

@@ -5,13 +5,14 @@
 //   planning  Ready: all live agents hold a clear      representative       nothing
 //             path of one common length
 //   planning  Failed: names the constraint             representative       nothing
-//   flying    Flying, until the path is flown          nothing              direction along the path
-//   flying    Arrived                                  nothing              straight on
+//   flying    Flying, until the path is flown          nothing              velocity along the path
+//   flying    Arrived                                  nothing              straight on; multirotor: hover
 //   finished  as before                                nothing              nothing
 // Source: papers/001, sections 2.1 and 3.2.5.
 #pragma once
 
 #include "agent/behaviours/behaviour.hpp"
+#include "agent/controller/moving_reference.hpp"
 #include "agent/controller/path_follower.hpp"
 #include "planner/rendezvous/planner.hpp"
 
@@ -31,7 +32,9 @@ class RendezvousBehaviour final : public Behaviour {
   void fly(const Sense& sense);
 
   rendezvous::Planner planner_;
-  PathFollower follower_;
+  VehicleType vehicle_;
+  PathFollower follower_;      ///< of a constant-speed vehicle
+  MovingReference reference_;  ///< of a multirotor
   RoundOutput last_;
 };
 

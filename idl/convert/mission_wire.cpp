@@ -22,6 +22,7 @@ wire::Vehicle wire_vehicle(const VehicleSpec& spec) {
   out.radius_m(spec.radius_m);
   out.safety_radius_m(spec.safety_radius_m);
   out.max_torsion_per_m(spec.max_torsion_per_m);
+  out.max_acceleration_mps2(spec.max_acceleration_mps2);
   return out;
 }
 
@@ -36,6 +37,7 @@ VehicleSpec plain_vehicle(const wire::Vehicle& vehicle) {
   out.radius_m = vehicle.radius_m();
   out.safety_radius_m = vehicle.safety_radius_m();
   out.max_torsion_per_m = vehicle.max_torsion_per_m();
+  out.max_acceleration_mps2 = vehicle.max_acceleration_mps2();
   return out;
 }
 
@@ -43,12 +45,15 @@ void check_vehicle(Checker& check, const wire::Vehicle& vehicle) {
   check.agent(vehicle.agent(), "mission.vehicles.agent");
   check.pose(vehicle.start(), "mission.vehicles.start");
   check.position(vehicle.slot_offset_m(), "mission.vehicles.slot_offset_m");
-  check.enumerator(vehicle.kind(), VehicleType::ConstantSpeed, VehicleType::ConstantSpeed, "mission.vehicles.kind");
+  check.enumerator(vehicle.kind(), VehicleType::ConstantSpeed, VehicleType::Multirotor, "mission.vehicles.kind");
   check.within(vehicle.speed_mps(), 0.0, limits::kSpeed_mps, "mission.vehicles.speed_mps");
   check.within(vehicle.max_curvature_per_m(), 0.0, limits::kCurvature_per_m, "mission.vehicles.max_curvature_per_m");
   check.within(vehicle.radius_m(), 0.0, limits::kPosition_m, "mission.vehicles.radius_m");
   check.within(vehicle.safety_radius_m(), 0.0, limits::kPosition_m, "mission.vehicles.safety_radius_m");
   check.within(vehicle.max_torsion_per_m(), 0.0, limits::kCurvature_per_m, "mission.vehicles.max_torsion_per_m");
+  const bool hovers = vehicle.kind() == static_cast<std::uint8_t>(VehicleType::Multirotor);
+  check.within(vehicle.max_acceleration_mps2(), hovers ? limits::kLeastAcceleration_mps2 : 0.0,
+               hovers ? limits::kAcceleration_mps2 : 0.0, "mission.vehicles.max_acceleration_mps2");
 }
 
 /// The constants of a terrain, on both sides alike.

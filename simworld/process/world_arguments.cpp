@@ -47,7 +47,9 @@ void add_scenario_options(CLI::App& app, WorldArguments& arguments) {
     arguments.overrides.push_back({"planner.name", text});
   });
   add_repeated(app, "--agents", "N: vehicles of a ring, the same as --set vehicles.ring.agents=N",
-               [&arguments](const auto& text) { arguments.overrides.push_back({"vehicles.ring.agents", text}); });
+               [&arguments](const auto& text) {
+                 arguments.overrides.push_back({"vehicles.ring.agents", text});
+               });
 }
 
 void add_world_options(CLI::App& app, WorldArguments& arguments) {

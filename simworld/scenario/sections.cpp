@@ -18,9 +18,9 @@ using Keys = std::string_view;
 constexpr Keys kRoot[] = {"name",     "kind",      "seed",      "length_unit_m", "step_s",  "arrival_radius_m",
                           "vehicles", "formation", "obstacles", "no_fly",        "terrain", "planner",
                           "lockstep", "world"};
-constexpr Keys kVehicles[] = {"type",     "speed_mps",       "max_curvature_per_m", "max_torsion_per_m",
-                              "radius_m", "safety_radius_m", "on_agent_loss",       "starts",
-                              "ring"};
+constexpr Keys kVehicles[] = {
+    "type",   "speed_mps", "max_curvature_per_m",  "max_torsion_per_m", "radius_m", "safety_radius_m", "on_agent_loss",
+    "starts", "ring",      "max_acceleration_mps2"};
 constexpr Keys kStart[] = {"id", "x_m", "y_m", "z_m", "heading_rad", "climb_rad"};
 constexpr Keys kFormation[] = {"x_m", "y_m", "z_m", "heading_rad", "slots"};
 constexpr Keys kSlot[] = {"id", "x_m", "y_m", "z_m"};
@@ -67,17 +67,29 @@ void read_head(const MapReader& root, Mission& mission) {
 
 /// What is common to all vehicles, as a spec without id, start and slot.
 VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
-  static constexpr Keys kTypes[] = {"constant_speed"};
+  static constexpr Keys kTypes[] = {"constant_speed", "multirotor"};
   static constexpr Keys kLosses[] = {"remove", "continue"};
   VehicleSpec spec;
-  (void)vehicles.word("type", kTypes);
-  spec.type = VehicleType::ConstantSpeed;
+  const bool hovers = vehicles.word("type", kTypes) == "multirotor";
+  spec.type = hovers ? VehicleType::Multirotor : VehicleType::ConstantSpeed;
   spec.speed_mps = vehicles.number("speed_mps", {0.01, 1000, "m/s"});
   spec.max_curvature_per_m = vehicles.number("max_curvature_per_m", {1e-6, 10, "per m"});
   spec.radius_m = vehicles.number("radius_m", {1e-3, 1000, "m"});
   spec.safety_radius_m = vehicles.number("safety_radius_m", {1e-3, 1e5, "m"});
   spec.max_torsion_per_m =
       vehicles.number("max_torsion_per_m", {1e-6, kUnlimitedTorsion_per_m, "per m"}, kUnlimitedTorsion_per_m);
+  if (hovers) {
+    spec.max_acceleration_mps2 = vehicles.number("max_acceleration_mps2", {1e-3, 1000, "m/s2"});
+    const double needed = 2.0 * spec.speed_mps * spec.speed_mps * spec.max_curvature_per_m;
+    if (spec.max_acceleration_mps2 < needed) {
+      vehicles.refuse("max_acceleration_mps2",
+                      fmt::format("at least twice what speed and curvature limit take together, "
+                                  "{} m/s2",
+                                  needed));
+    }
+  } else if (vehicles.find("max_acceleration_mps2") != nullptr) {
+    vehicles.refuse("max_acceleration_mps2", "with type multirotor");
+  }
   if (spec.safety_radius_m < spec.radius_m) {
     vehicles.refuse("safety_radius_m", fmt::format("at least vehicles.radius_m, {} m", spec.radius_m));
   }

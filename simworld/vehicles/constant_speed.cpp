@@ -17,7 +17,8 @@ Vec3 turned(const Vec3& from, const Vec3& across, double angle_rad) {
 }  // namespace
 
 VehicleState initial_state(const VehicleSpec& spec) {
-  return {spec.start.position_m, spec.speed_mps * direction_of(spec.start)};
+  const double speed_mps = spec.type == VehicleType::Multirotor ? 0.0 : spec.speed_mps;
+  return {spec.start.position_m, speed_mps * direction_of(spec.start)};
 }
 
 Pose pose_of(const VehicleState& state) {

@@ -35,10 +35,10 @@ struct VehicleStep {
   Motion motion;
 };
 
-/// The state in which a vehicle starts its flight: at its start pose, at its speed.
+/// The state in which a vehicle starts its flight: at its start pose, at its speed, or hovering if it can.
 [[nodiscard]] VehicleState initial_state(const VehicleSpec& spec);
 
-/// Where the vehicle is and which way it moves. @pre its velocity is not zero.
+/// Where the vehicle is and which way it moves; east if it hovers.
 [[nodiscard]] Pose pose_of(const VehicleState& state);
 
 /// One step of `dt_s` seconds.

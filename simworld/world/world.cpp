@@ -92,10 +92,11 @@ void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands
 void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* command) {
   VehicleRecord& vehicle = vehicles_[i];
   const Vec3 wanted = command != nullptr ? command->velocity_mps : vehicle.state.velocity_mps;
-  const VehicleStep moved = advance_constant_speed(vehicle.spec, vehicle.state, wanted, step_s_);
+  const VehicleStep moved = advance_vehicle(vehicle.spec, vehicle.state, wanted, step_s_);
   motions_[i] = moved.motion;
+  const double squared = vehicle.state.velocity_mps.squaredNorm();
   const Vec3 turn =
-      vehicle.state.velocity_mps.cross(moved.after.velocity_mps) / vehicle.state.velocity_mps.squaredNorm();
+      squared > 0.0 ? Vec3(vehicle.state.velocity_mps.cross(moved.after.velocity_mps) / squared) : Vec3::Zero();
   vehicle.max_torsion_per_m =
       std::max(vehicle.max_torsion_per_m, torsion_per_m(vehicle.turn, turn, moved.motion.length_m));
   vehicle.turn = turn;
@@ -113,6 +114,13 @@ void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* comman
 
 void World::note_arrival(std::size_t i, std::uint32_t step) {
   VehicleRecord& vehicle = vehicles_[i];
+  if (vehicle.spec.type == VehicleType::Multirotor) {  // arrives to hover: it need not pass through
+    if ((vehicle.state.position_m - vehicle.slot.position_m).norm() > arrival_radius_m_) return;
+    vehicle.status = VehicleStatus::Arrived;
+    vehicle.arrival_step = step;
+    vehicle.arrival_time_s = static_cast<double>(step) * step_s_;
+    return;
+  }
   const Vec3 along = direction_of(vehicle.slot);
   for (std::size_t p = 1; p < kMotionPoints; ++p) {
     const Vec3 from = motions_[i].points_m[p - 1] - vehicle.slot.position_m;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "planner/core/mission/mission.hpp"
-#include "simworld/vehicles/constant_speed.hpp"
+#include "simworld/vehicles/multirotor.hpp"
 
 namespace skein {
 

@@ -11,9 +11,9 @@
 namespace skein {
 namespace {
 
-Scenario scenario_of(const std::string& name, std::uint64_t seed) {
+Scenario scenario_of(const std::string& name, std::uint64_t seed, const std::vector<Override>& changes = {}) {
   const std::string path = std::string(SKEIN_SOURCE_DIR) + "/deploy/scenarios/" + name + ".yaml";
-  ScenarioResult result = load_scenario(path, {}, seed);
+  ScenarioResult result = load_scenario(path, changes, seed);
   if (const auto* fault = std::get_if<ScenarioFault>(&result)) throw std::runtime_error(fault->line());
   return std::get<Scenario>(std::move(result));
 }
@@ -54,6 +54,19 @@ TEST(InProcess, SameSeedSameHashOtherSeedOtherHash) {
   const auto other = run_in_process(scenario_of("rendezvous-2d", 8), {});
   EXPECT_EQ(first.report.at("state_hash"), again.report.at("state_hash"));
   EXPECT_NE(first.report.at("state_hash"), other.report.at("state_hash"));
+}
+
+TEST(InProcess, MultirotorsArriveTogetherAndHover) {
+  const std::vector<Override> hovering{
+      {"vehicles.type", "multirotor"}, {"vehicles.speed_mps", "20"}, {"vehicles.max_acceleration_mps2", "4"}};
+  for (const char* name : {"rendezvous-2d", "rendezvous-3d"}) {
+    const InProcessResult result = run_in_process(scenario_of(name, 1, hovering), {});
+    EXPECT_EQ(result.exit_code, 0) << result.report.dump(2);
+    for (const auto& vehicle : result.report.at("vehicles")) {
+      EXPECT_EQ(vehicle.at("arrival_step"), result.report.at("vehicles")[0].at("arrival_step"));
+      EXPECT_NEAR(vehicle.at("path_length_m").get<double>(), vehicle.at("planned_length_m").get<double>(), 2.0);
+    }
+  }
 }
 
 TEST(InProcess, KilledAgentsRunEqualsItsReplay) {

@@ -42,10 +42,11 @@ void add_zone(StateHash& hash, const Zone& zone) {
   }
 }
 
-/// What planar missions leave out enters the hash only when it is there.
+/// What planar missions of constant-speed vehicles leave out enters the hash only when it is there.
 void add_space(StateHash& hash, const Mission& mission) {
   for (const VehicleSpec& v : mission.vehicles) {
     if (v.max_torsion_per_m != kUnlimitedTorsion_per_m) hash.add(v.id).add(v.max_torsion_per_m);
+    if (v.type == VehicleType::Multirotor) hash.add(v.id).add(v.max_acceleration_mps2);
   }
   if (!mission.terrain) return;
   const Terrain& t = *mission.terrain;

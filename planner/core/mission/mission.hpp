@@ -24,7 +24,7 @@ inline constexpr AgentId kMaxAgents = 256;
 inline constexpr AgentId kWorldId = 0;
 
 enum class MissionKind : std::uint8_t { Rendezvous = 1 };
-enum class VehicleType : std::uint8_t { ConstantSpeed = 1 };
+enum class VehicleType : std::uint8_t { ConstantSpeed = 1, Multirotor = 2 };
 /// What becomes of the vehicle of a lost agent.
 enum class OnAgentLoss : std::uint8_t { Remove = 1, Continue = 2 };
 
@@ -37,11 +37,12 @@ struct VehicleSpec {
   Pose start;
   Vec3 slot_offset_m = Vec3::Zero();  ///< place in the formation frame: x along the formation heading
   VehicleType type = VehicleType::ConstantSpeed;
-  double speed_mps = 0.0;
+  double speed_mps = 0.0;  ///< of a multirotor the largest
   double max_curvature_per_m = 0.0;
   double radius_m = 0.0;                               ///< of the body: closer than the sum of two is a collision
   double safety_radius_m = 0.0;                        ///< R of Eq. 17: closer than the sum of two is a near miss
   double max_torsion_per_m = kUnlimitedTorsion_per_m;  ///< of planned paths in space (Eq. 12)
+  double max_acceleration_mps2 = 0.0;                  ///< of a multirotor
 
   bool operator==(const VehicleSpec&) const = default;
 };

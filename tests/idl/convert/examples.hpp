@@ -27,12 +27,13 @@ inline Mission mission() {
                 {3,
                  {Vec3(-100.0, 5.0, 6.0), -2.0, 0.0},
                  Vec3(-1.0, -2.0, -3.0),
-                 VehicleType::ConstantSpeed,
+                 VehicleType::Multirotor,
                  49.0,
                  0.001,
                  4.0,
                  21.0,
-                 10.0}};
+                 10.0,
+                 6.5}};
   m.zones = {{Cylinder{Vec2(7.0, 8.0), 9.0, -10.0, 11.0}, false},
              {Box{Vec3(1.0, 2.0, 3.0), Vec3(4.0, 5.0, 6.0)}, true}};
   m.terrain = Terrain{0.5, 1.0, 0.25, 2.0, 0.125, 3.0, 0.75, 0.1, 0.2, 1000.0};
