@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that Skein needs, and nothing if they are there already (then it needs no network).
 #
-# usage: deploy/setup.sh [build|check]     what to set up for: to build and run (default), or to run the tests too
+# usage: deploy/setup.sh [build|check|figures]   what to set up for: to build and run (default), to run the tests too,
+#                                                or to draw the figures of docs/figures
 set -euo pipefail
 
 build_packages=(
@@ -11,6 +12,7 @@ build_packages=(
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
 check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3)
+figures_packages=(gnuplot-nox)
 
 purpose=${1:-build}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -56,7 +58,8 @@ install_missing() { apt install --no-install-recommends --no-remove "${missing[@
 case $purpose in
   build) packages=("${build_packages[@]}") ;;
   check) packages=("${build_packages[@]}" "${check_packages[@]}") ;;
-  *) fail "unknown purpose '$purpose'; allowed: build, check" ;;
+  figures) packages=("${build_packages[@]}" "${figures_packages[@]}") ;;
+  *) fail "unknown purpose '$purpose'; allowed: build, check, figures" ;;
 esac
 
 system=$(. /etc/os-release 2>/dev/null && printf '%s %s' "${ID:-unknown}" "${VERSION_ID:-}") || system=unknown

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/sweep/curves.hpp"
 #include "groundstation/sweep/sweep.hpp"
 #include "groundstation/sweep/table.hpp"
 #include "idl/process/signals.hpp"
@@ -23,6 +24,7 @@ struct SweepArguments {
   std::uint32_t runs = 100;
   unsigned jobs = 0;
   std::optional<double> require_success;
+  std::string curves;
   bool json = false;
 };
 
@@ -84,6 +86,7 @@ SweepPlan plan_of(const SweepArguments& arguments) {
   for (const Override& item : arguments.world.overrides) plan.keys.push_back({item.key, values_of(item.value)});
   plan.first_seed = arguments.world.seed.value_or(0);
   plan.runs = arguments.runs;
+  plan.curves = arguments.curves;
   plan.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   return plan;
 }
@@ -110,6 +113,9 @@ int sweep(const SweepArguments& arguments) {
     result = run_sweep(plan);
   } catch (const std::invalid_argument& fault) {
     std::cerr << fault.what() << "\n";
+    return static_cast<int>(ExitCode::Usage);
+  } catch (const CurvesNotWritten& fault) {
+    std::cerr << fmt::format("--curves: {}\n", fault.what());
     return static_cast<int>(ExitCode::Usage);
   }
   if (arguments.json) {
@@ -149,6 +155,7 @@ VerbAction add_sweep_verb(CLI::App& app) {
   verb->add_option("--jobs", arguments->jobs, "threads; by default one a core")->check(CLI::Range(1U, 1024U));
   verb->add_option("--require-success", arguments->require_success, "exit 1 if a success rate is lower")
       ->check(CLI::Range(0.0, 1.0));
+  verb->add_option("--curves", arguments->curves, "folder for the curves (CSV) of each combination's first run");
   verb->add_flag("--json", arguments->json, "print JSON, with every run");
   return [arguments] { return sweep(*arguments); };
 }

@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "groundstation/inprocess/in_process.hpp"
+#include "groundstation/sweep/curves.hpp"
+#include "groundstation/sweep/table.hpp"
 #include "planner/rendezvous/point_separation.hpp"
 
 namespace skein {
@@ -37,8 +38,7 @@ void add_planned_separations(const Mission& mission, const Json& report, Json& f
   }
 }
 
-Json run_of(const Scenario& scenario) {
-  const InProcessResult result = run_in_process(scenario, {});
+Json run_of(const Scenario& scenario, const InProcessResult& result) {
   Json run{{"seed", scenario.mission.seed},
            {"exit_code", result.exit_code},
            {"state_hash", result.report.at("state_hash")},
@@ -50,10 +50,15 @@ Json run_of(const Scenario& scenario) {
   return run;
 }
 
-Json row_of(const std::vector<Override>& set, const std::vector<Json>& runs) {
+Json empty_row(const std::vector<Override>& set) {
   Json row;
   row["set"] = Json::object();
   for (const Override& item : set) row["set"][item.key] = item.value;
+  return row;
+}
+
+Json row_of(const std::vector<Override>& set, const std::vector<Json>& runs) {
+  Json row = empty_row(set);
   Json failures = Json::array();
   std::vector<std::string> names;
   std::map<std::string, std::vector<double>> columns;
@@ -117,7 +122,12 @@ SweepResult run_sweep(const SweepPlan& plan) {
   const auto combinations = combinations_of(plan.keys);
   std::vector<Scenario> scenarios;
   scenarios.reserve(combinations.size());
-  for (const auto& set : combinations) scenarios.push_back(load(plan, set, plan.first_seed));
+  std::vector<CurveFiles> curves;
+  for (const auto& set : combinations) {
+    scenarios.push_back(load(plan, set, plan.first_seed));
+    if (!plan.curves.empty()) curves.push_back(curve_files(plan.curves, curves.size(), title_of(empty_row(set))));
+  }
+  for (std::size_t i = 0; i < curves.size(); ++i) write_zones(scenarios[i].mission, curves[i]);
   const std::size_t total = combinations.size() * plan.runs;
   std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));
   std::atomic<std::size_t> next{0};
@@ -130,7 +140,9 @@ SweepResult run_sweep(const SweepPlan& plan) {
       try {
         Scenario scenario = scenarios[job / plan.runs];
         scenario.mission.seed = plan.first_seed + job % plan.runs;
-        results[job / plan.runs][job % plan.runs] = run_of(scenario);
+        const bool traced = !curves.empty() && job % plan.runs == 0;
+        results[job / plan.runs][job % plan.runs] = run_of(
+            scenario, traced ? run_with_curves(scenario, curves[job / plan.runs]) : run_in_process(scenario, {}));
       } catch (...) {
         const std::lock_guard lock(mutex);
         failure = std::current_exception();

@@ -1,7 +1,8 @@
 // Many runs of one scenario, in this process: every combination of swept values, every seed.
 //
 // Run i of a combination has seed S + i, plans and flies, and equals `skein run --seed S+i`. Runs are independent and
-// spread over threads; results do not depend on their number.
+// spread over threads; results do not depend on their number. With `curves` the first run of each combination leaves
+// its curves in files.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct SweepPlan {
   std::uint64_t first_seed = 0;
   std::uint32_t runs = 1;                                             ///< of each combination
   unsigned jobs = 1;                                                  ///< threads
+  std::string curves;                                                 ///< folder for curves.hpp; empty for none
   std::function<bool()> stop;                                         ///< asked between runs; empty for never
   std::function<void(std::size_t done, std::size_t of)> on_progress;  ///< called in any thread, one at a time
 };
@@ -47,7 +49,8 @@ struct SweepResult {
 /// mean, sd (n - 1), min, p50, p95 (nearest rank), max. @pre values is not empty
 [[nodiscard]] nlohmann::ordered_json summary_of(std::vector<double> values);
 
-/// @throws std::invalid_argument with one line if a combination is not a valid scenario.
+/// @throws std::invalid_argument with one line if a combination is not a valid scenario; CurvesNotWritten if curves
+/// cannot be, before the first run if the folder does not allow it.
 [[nodiscard]] SweepResult run_sweep(const SweepPlan& plan);
 
 }  // namespace skein

@@ -66,7 +66,11 @@ class SpatialPath {
   /// The parameter at arc length s (m), s clamped to [0, length]; `guess` is where the iteration starts.
   [[nodiscard]] double parameter_at(double s_m, double guess) const { return profile_.parameter_at(s_m, guess); }
   [[nodiscard]] double parameter_at(double s_m) const { return profile_.parameter_at(s_m); }
+
+  /// At arc length s (m), clamped to [0, length]: position (m), curvature (1/m), torsion (1/m).
   [[nodiscard]] Vec3 position_at(double s_m) const { return position(parameter_at(s_m)); }
+  [[nodiscard]] double curvature_at(double s_m) const { return curvature(parameter_at(s_m)); }
+  [[nodiscard]] double torsion_at(double s_m) const { return torsion(parameter_at(s_m)); }
 
   /// b, |b|^2 and N of the formulas above, and sigma, by powers of q.
   [[nodiscard]] const std::array<Vec2, 3>& bend() const { return bend_; }

@@ -55,6 +55,7 @@ TEST(Usage, BadFlagsGiveOneLineAndExitCode2) {
                                              {"skein", "run", "/nowhere.yaml"},
                                              {"skein", "run", good, "--out", "/proc/nowhere"},
                                              {"skein", "sweep", good, "--runs", "0"},
+                                             {"skein", "sweep", good, "--runs", "1", "--curves", "/dev/null/curves"},
                                              {"skein", "sweep", good, "--set", "planner.particles=20,1"},
                                              {"skein-agent"},
                                              {"skein-agent", "--id", "0"},

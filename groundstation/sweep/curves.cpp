@@ -1,0 +1,126 @@
+#include "groundstation/sweep/curves.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "planner/core/geometry/bounds.hpp"
+#include "planner/core/math/det_math.hpp"
+#include "planner/rendezvous/path_profile.hpp"
+
+namespace skein {
+namespace {
+
+constexpr std::size_t kPoints = 201;
+constexpr int kOutlineCorners = 72;
+constexpr std::size_t kLongestTitle = 100;
+constexpr double kTurn_rad = 6.283185307179586;
+
+void write(const CurveFiles& files, const char* what, const std::string& text) {
+  const std::filesystem::path path = files.folder / fmt::format("{}-{}.csv", files.stem, what);
+  std::ofstream file(path);
+  file << text << std::flush;
+  if (!file) throw CurvesNotWritten(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+}
+
+std::vector<Vec2> outline_of(const Cylinder& cylinder) {
+  std::vector<Vec2> corners;
+  for (int k = 0; k <= kOutlineCorners; ++k) {
+    const double angle_rad = kTurn_rad * (k % kOutlineCorners) / kOutlineCorners;
+    corners.emplace_back(cylinder.centre_m + cylinder.radius_m * Vec2(math::cos(angle_rad), math::sin(angle_rad)));
+  }
+  return corners;
+}
+
+std::vector<Vec2> outline_of(const Box& box) {
+  const Vec3& a = box.min_m;
+  const Vec3& b = box.max_m;
+  return {{a.x(), a.y()}, {b.x(), a.y()}, {b.x(), b.y()}, {a.x(), b.y()}, {a.x(), a.y()}};
+}
+
+Interval heights_of(const Cylinder& cylinder) {
+  return {cylinder.z_min_m, cylinder.z_max_m};
+}
+
+Interval heights_of(const Box& box) {
+  return {box.min_m.z(), box.max_m.z()};
+}
+
+/// What the planners published, round by round, as lines.
+class Convergence {
+ public:
+  void note(const Run& run) {
+    if (run.planning_rounds() == noted_) return;
+    noted_ = run.planning_rounds();
+    for (const RosterEntry& entry : run.roster()) {
+      const PlanFigures& plan = *std::ranges::find(run.plan(), entry.agent, &PlanFigures::agent);
+      lines_ += fmt::format("{},{},{},{},{}\n", plan.agent, noted_, plan.generation, plan.cost, plan.length_m);
+    }
+  }
+  [[nodiscard]] std::string text() const { return "vehicle,round,generation,cost,path_length_m\n" + lines_; }
+
+ private:
+  std::uint32_t noted_ = 0;
+  std::string lines_;
+};
+
+std::string paths_text(const Mission& mission, const nlohmann::ordered_json& vehicles) {
+  std::string text =
+      "vehicle,arc_m,x_m,y_m,z_m,ground_m,curvature_per_m,torsion_per_m,max_curvature_per_m,max_torsion_per_m\n";
+  for (const auto& vehicle : vehicles) {
+    const rendezvous::PlannedPath plan{vehicle.at("id").get<AgentId>(),
+                                       vehicle.at("particle").get<std::vector<double>>()};
+    if (plan.particle.empty()) continue;
+    const VehicleSpec& spec = vehicle_of(mission, plan.agent);
+    for (const rendezvous::ProfilePoint& point : rendezvous::path_profile(mission, plan, kPoints)) {
+      const Vec3& r = point.position_m;
+      const std::string ground = mission.terrain ? fmt::format("{}", ground_m(*mission.terrain, {r.x(), r.y()})) : "";
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", plan.agent, point.arc_m, r.x(), r.y(), r.z(), ground,
+                          point.curvature_per_m, point.torsion_per_m, spec.max_curvature_per_m, spec.max_torsion_per_m);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+CurveFiles curve_files(const std::filesystem::path& folder, std::size_t row, const std::string& title) {
+  std::string name = title.substr(0, kLongestTitle);
+  for (char& c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (!plain && std::string_view("=.+-_").find(c) == std::string_view::npos) c = '_';
+  }
+  return {folder, fmt::format("{}-{}", row + 1, name)};
+}
+
+void write_zones(const Mission& mission, const CurveFiles& files) {
+  std::error_code error;
+  std::filesystem::create_directories(files.folder, error);
+  if (error) throw CurvesNotWritten(fmt::format("cannot make {}: {}", files.folder.string(), error.message()));
+  std::string text = "zone,no_fly,x_m,y_m,z_min_m,z_max_m\n";
+  for (std::size_t i = 0; i < mission.zones.size(); ++i) {
+    const Zone& zone = mission.zones[i];
+    const Interval heights_m = std::visit([](const auto& shape) { return heights_of(shape); }, zone.shape);
+    for (const Vec2& corner : std::visit([](const auto& shape) { return outline_of(shape); }, zone.shape)) {
+      text += fmt::format("{},{:d},{},{},{},{}\n", i + 1, static_cast<int>(zone.no_fly), corner.x(), corner.y(),
+                          heights_m.min, heights_m.max);
+    }
+  }
+  write(files, "zones", text);
+}
+
+InProcessResult run_with_curves(const Scenario& scenario, const CurveFiles& files) {
+  Convergence convergence;
+  InProcessOptions options;
+  options.on_round = [&](const WorldSession& session) { convergence.note(session.run()); };
+  InProcessResult result = run_in_process(scenario, options);
+  write(files, "paths", paths_text(scenario.mission, result.report.at("vehicles")));
+  write(files, "convergence", convergence.text());
+  return result;
+}
+
+}  // namespace skein
