@@ -108,10 +108,10 @@ fdds::Publisher* Participant::publisher(const std::string& partition) {
   return require_made(participant_->create_publisher(qos), "a publisher");
 }
 
-fdds::Subscriber* Participant::subscriber(const std::string& partition) {
+fdds::Subscriber* Participant::subscriber(const std::vector<std::string>& partitions) {
   fdds::SubscriberQos qos = participant_->get_default_subscriber_qos();
   qos.partition().clear();
-  qos.partition().push_back(partition.c_str());
+  for (const std::string& partition : partitions) qos.partition().push_back(partition.c_str());
   return require_made(participant_->create_subscriber(qos), "a subscriber");
 }
 

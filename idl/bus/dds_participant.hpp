@@ -9,6 +9,7 @@
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <string>
+#include <vector>
 
 #include "idl/bus/dds_qos.hpp"
 #include "idl/bus/inbox.hpp"
@@ -45,9 +46,9 @@ class Participant {
 
   /// The topic of the table, made on first use.
   [[nodiscard]] fdds::Topic* topic(const TopicSpec& spec, const fdds::TypeSupport& type);
-  /// A new group of endpoints in one partition.
+  /// A new group of endpoints in one partition, or of readers in several.
   [[nodiscard]] fdds::Publisher* publisher(const std::string& partition);
-  [[nodiscard]] fdds::Subscriber* subscriber(const std::string& partition);
+  [[nodiscard]] fdds::Subscriber* subscriber(const std::vector<std::string>& partitions);
 
   [[nodiscard]] ProcessKey key() const { return process_key(participant_->guid()); }
 

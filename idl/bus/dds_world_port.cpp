@@ -20,7 +20,7 @@ struct DdsWorldPort::Impl {
       : book(self(config)),
         participant(config, book, wake),
         publisher(participant.publisher(config.swarm)),
-        subscriber(participant.subscriber(config.swarm)),
+        subscriber(participant.subscriber({config.swarm})),
         beacon(participant, subscriber, book, wake, inbox),
         representative_in(participant, subscriber, book, wake, inbox),
         representative_out(participant, publisher, book, wake),

@@ -1,6 +1,7 @@
 #include "idl/bus/peer_book.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 #include <utility>
 
@@ -36,13 +37,23 @@ void PeerBook::gone(const ProcessKey& process) {
 }
 
 void PeerBook::matched(const ProcessKey& process, std::uint16_t endpoint, bool is_matched) {
+  const auto bit = static_cast<std::size_t>(std::countr_zero(endpoint));
   const std::lock_guard lock(mutex_);
   if (is_matched) {
-    Peer& peer = peers_[process];
-    peer.endpoints = static_cast<std::uint16_t>(peer.endpoints | endpoint);
-  } else if (const auto found = peers_.find(process); found != peers_.end()) {
-    found->second.endpoints = static_cast<std::uint16_t>(found->second.endpoints & ~endpoint);
+    ++peers_[process].matches[bit];
+  } else if (const auto found = peers_.find(process); found != peers_.end() && found->second.matches[bit] > 0) {
+    --found->second.matches[bit];
   }
+}
+
+bool PeerBook::complete(const Peer& peer) const {
+  const std::uint16_t expected = expected_matches(own_.role, peer.info->role);
+  const std::uint32_t members = own_.role == Role::Agent ? own_.members : peer.info->members;
+  for (std::size_t bit = 0; bit < peer.matches.size(); ++bit) {
+    if (((expected >> bit) & 1U) == 0) continue;
+    if (peer.matches[bit] < (kTopics[bit / 2].per_agent ? members : 1U)) return false;
+  }
+  return true;
 }
 
 std::vector<std::uint64_t> PeerBook::matched_nonces() const {
@@ -50,8 +61,8 @@ std::vector<std::uint64_t> PeerBook::matched_nonces() const {
   const std::lock_guard lock(mutex_);
   for (const auto& [process, peer] : peers_) {
     if (!peer.info || !is_counted(own_.role, peer.info->role) || peer.info->swarm != own_.swarm) continue;
-    const std::uint16_t expected = expected_matches(own_.role, peer.info->role);
-    if ((peer.endpoints & expected) == expected) nonces.push_back(peer.info->nonce);
+    if (!complete(peer)) continue;
+    for (std::uint32_t member = 0; member < peer.info->members; ++member) nonces.push_back(peer.info->nonce + member);
   }
   std::ranges::sort(nonces);
   return nonces;

@@ -1,8 +1,9 @@
 // Which processes are there, and which of their endpoints are matched with this process's.
 //
 // A process is matched when its USER_DATA is known and every endpoint that the two roles must have in common
-// (expected_matches) is. Fed by the listeners of the DDS bus, read by the owner of the port; safe from any thread.
-// Complexity: O(processes) a question, O(log processes) a notice.
+// (expected_matches) is; of a topic with a partition an agent, one match for each agent of the process. Fed by the
+// listeners of the DDS bus, read by the owner of the port; safe from any thread. Complexity: O(processes) a question,
+// O(log processes) a notice.
 #pragma once
 
 #include <array>
@@ -31,7 +32,8 @@ class PeerBook {
   /// An endpoint of this process (endpoint_bit) was matched with or lost its match in that process.
   void matched(const ProcessKey& process, std::uint16_t endpoint, bool is_matched);
 
-  /// Nonces, ascending, of the agents and (for an agent) the world whose endpoints are all matched with this process's.
+  /// Nonces, ascending, of the agents and (for an agent) the world whose process's endpoints are all matched with this
+  /// process's.
   [[nodiscard]] std::vector<std::uint64_t> matched_nonces() const;
 
   /// Why this process must not take part, in one line, or nothing. For an agent: a world of its swarm has another wire
@@ -43,8 +45,10 @@ class PeerBook {
  private:
   struct Peer {
     std::optional<PeerInfo> info;
-    std::uint16_t endpoints = 0;
+    std::array<std::uint16_t, 2 * kTopics.size()>
+        matches{};  ///< of each endpoint of this process, by bit of endpoint_bit
   };
+  [[nodiscard]] bool complete(const Peer& peer) const;
 
   PeerInfo own_;
   mutable std::mutex mutex_;

@@ -43,6 +43,31 @@ TEST(PeerBook, CountsAProcessOnceItIsKnownAndAllItsEndpointsAreMatched) {
   EXPECT_THAT(book.matched_nonces(), IsEmpty());
 }
 
+TEST(PeerBook, AGroupIsMatchedOnceEachOfItsAgentsHasItsSenseTopic) {
+  PeerInfo three = info(Role::Agent, 50);
+  three.members = 3;
+  const auto world_sense = endpoint_bit(TopicId::Sense, true);
+  PeerBook world(info(Role::World, 9));
+  world.discovered(kFirst, three);
+  match(world, kFirst, Role::Agent);
+  world.matched(kFirst, world_sense, true);
+  EXPECT_THAT(world.matched_nonces(), IsEmpty());
+  world.matched(kFirst, world_sense, true);
+  EXPECT_THAT(world.matched_nonces(), ElementsAre(50, 51, 52));
+  const auto group_sense = endpoint_bit(TopicId::Sense, false);
+  PeerBook group(three);
+  group.discovered(kFirst, info(Role::World, 9));
+  group.discovered(kSecond, three);
+  match(group, kFirst, Role::World);
+  match(group, kSecond, Role::Agent);
+  group.matched(kFirst, group_sense, true);
+  EXPECT_THAT(group.matched_nonces(), ElementsAre(50, 51, 52));
+  group.matched(kFirst, group_sense, true);
+  EXPECT_THAT(group.matched_nonces(), ElementsAre(9, 50, 51, 52));
+  group.matched(kFirst, group_sense, false);
+  EXPECT_THAT(group.matched_nonces(), ElementsAre(50, 51, 52));
+}
+
 TEST(PeerBook, ANoticeAfterTheEndBringsNobodyBack) {
   PeerBook book(info(Role::World, 5));
   book.discovered(kFirst, info(Role::Agent, 7));
