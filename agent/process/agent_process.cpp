@@ -3,10 +3,13 @@
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <csignal>
+#include <memory>
 
 #include "agent/runtime/agent_session.hpp"
 #include "idl/process/dds_config.hpp"
+#include "idl/process/id_list.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "planner/core/lockstep/names.hpp"
@@ -17,58 +20,137 @@ namespace {
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 
-/// Logs what changed since the last call.
-void log_course(const AgentSession& session, AgentMode& mode) {
-  if (session.mode() == mode) return;
-  mode = session.mode();
-  spdlog::info("{} at round {}, step {}", name_of(mode), session.round(), session.step());
-}
+/// The sessions of one process, over the ports that they share.
+class Sessions {
+ public:
+  Sessions(const std::vector<AgentId>& ids, std::uint64_t nonce, bus::DdsAgentGroup& group, double now_s) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      members_.push_back(std::make_unique<Member>(ids[i], AgentSession(ids[i], nonce + i, group.port(i), now_s)));
+    }
+  }
+
+  /// One still waits or takes part, and none was turned away: then the others leave too.
+  [[nodiscard]] bool go_on() const {
+    return std::ranges::any_of(members_, [](const auto& member) { return active(*member); }) &&
+           !any(AgentSession::State::TurnedAway);
+  }
+  [[nodiscard]] bool any(AgentSession::State state) const {
+    return std::ranges::any_of(members_, [&](const auto& member) { return member->session.state() == state; });
+  }
+
+  void poll() {
+    for (const auto& member : members_) {
+      if (active(*member)) member->session.poll(steady_now_s());
+      log_course(*member);
+    }
+  }
+  [[nodiscard]] double idle_s(double now_s) const {
+    double idle_s = 1.0;
+    for (const auto& member : members_) {
+      if (active(*member)) idle_s = std::min(idle_s, member->session.idle_s(now_s));
+    }
+    return idle_s;
+  }
+  void leave(double now_s) {
+    for (const auto& member : members_) {
+      if (active(*member)) member->session.leave(now_s);
+    }
+  }
+  [[nodiscard]] double heard_world_s() const {
+    double heard_s = -1e9;
+    for (const auto& member : members_) heard_s = std::max(heard_s, member->session.heard_world_s());
+    return heard_s;
+  }
+  [[nodiscard]] std::uint64_t refused_samples() const {
+    std::uint64_t sum = 0;
+    for (const auto& member : members_) sum += member->session.refused_samples().total();
+    return sum;
+  }
+
+  /// A line for each that ended otherwise than the others; `how` is added to those of a run that is over.
+  void log_ends(std::string_view how) const {
+    for (const auto& member : members_) {
+      const AgentSession& session = member->session;
+      if (session.state() == AgentSession::State::Finished) {
+        spdlog::info("{}the run is over{}: {} at round {}, step {}", prefix(*member), how, name_of(session.mode()),
+                     session.round(), session.step());
+      } else if (!session.reason().empty()) {
+        spdlog::error("{}{}", prefix(*member), session.reason());
+      }
+    }
+  }
+  void log_signal(int signal, bool heard) const {
+    for (const auto& member : members_) {
+      spdlog::info("{}ended by signal {}{} at round {}, step {}", prefix(*member), signal, heard ? "" : ", unheard,",
+                   member->session.round(), member->session.step());
+    }
+  }
+
+ private:
+  struct Member {
+    AgentId id;
+    AgentSession session;
+    AgentMode mode = AgentMode::Waiting;
+    Member(AgentId own_id, AgentSession own) : id(own_id), session(std::move(own)) {}
+  };
+
+  [[nodiscard]] static bool active(const Member& member) {
+    const AgentSession::State state = member.session.state();
+    return state == AgentSession::State::Introducing || state == AgentSession::State::Live;
+  }
+  [[nodiscard]] std::string prefix(const Member& member) const {
+    return members_.size() == 1 ? "" : fmt::format("agent {}: ", member.id);
+  }
+  /// Logs what changed since the last call.
+  void log_course(Member& member) const {
+    const AgentSession& session = member.session;
+    if (session.mode() == member.mode) return;
+    member.mode = session.mode();
+    spdlog::info("{}{} at round {}, step {}", prefix(member), name_of(member.mode), session.round(), session.step());
+  }
+
+  std::vector<std::unique_ptr<Member>> members_;
+};
 
 int serve(const AgentArguments& arguments) {
   const SignalWatch signals({SIGINT, SIGTERM});
   const std::uint64_t nonce = random_id();
-  bus::DdsAgentPort port(dds_config(arguments.common, arguments.id, nonce));
-  AgentSession session(arguments.id, nonce, port, steady_now_s());
-  AgentMode mode = AgentMode::Waiting;
-  spdlog::info("agent {} introduces itself to swarm {} in domain {}", arguments.id, swarm_of(arguments.common),
-               arguments.common.domain);
-  while (session.state() == AgentSession::State::Introducing || session.state() == AgentSession::State::Live) {
-    wait_readable({port.wake_fd(), signals.fd()}, session.idle_s(steady_now_s()));
+  bus::DdsAgentGroup group(dds_config(arguments.common, arguments.ids.front(), nonce), arguments.ids);
+  Sessions sessions(arguments.ids, nonce, group, steady_now_s());
+  spdlog::info("agent {} introduces itself to swarm {} in domain {}", text_of(arguments.ids),
+               swarm_of(arguments.common), arguments.common.domain);
+  while (sessions.go_on()) {
+    wait_readable({group.wake_fd(), signals.fd()}, sessions.idle_s(steady_now_s()));
     if (const auto signal = signals.take()) {
-      session.leave(steady_now_s());
-      const bool heard = port.flush(std::chrono::milliseconds(500));
-      spdlog::info("ended by signal {}{} at round {}, step {}", *signal, heard ? "" : ", unheard,", session.round(),
-                   session.step());
+      sessions.leave(steady_now_s());
+      sessions.log_signal(*signal, group.flush(std::chrono::milliseconds(500)));
       return 128 + *signal;
     }
-    if (const auto conflict = port.conflict()) {
+    if (const auto conflict = group.conflict()) {
       spdlog::error("{}", *conflict);
       return kStartUp;
     }
-    session.poll(steady_now_s());
-    log_course(session, mode);
-    if (steady_now_s() - session.heard_world_s() > arguments.world_timeout_s) {
+    group.receive();
+    sessions.poll();
+    if (steady_now_s() - sessions.heard_world_s() > arguments.world_timeout_s) {
       spdlog::error("no tick of a world for {} s", arguments.world_timeout_s);
       return kStartUp;
     }
   }
-  const bool heard = port.flush(std::chrono::milliseconds(500));
-  if (session.refused_samples().total() + port.lost() > 0) {
-    spdlog::warn("{} samples refused, {} lost", session.refused_samples().total(), port.lost());
+  sessions.leave(steady_now_s());
+  const bool heard = group.flush(std::chrono::milliseconds(500));
+  if (sessions.refused_samples() + group.lost() > 0) {
+    spdlog::warn("{} samples refused, {} lost", sessions.refused_samples(), group.lost());
   }
-  if (session.state() == AgentSession::State::Finished) {
-    spdlog::info("the run is over{}: {} at round {}, step {}", heard ? "" : " (last beacon unheard)",
-                 name_of(session.mode()), session.round(), session.step());
-    return 0;
-  }
-  spdlog::error("{}", session.reason());
-  return session.state() == AgentSession::State::Dropped ? kLost : kStartUp;
+  sessions.log_ends(heard ? "" : " (last beacon unheard)");
+  if (sessions.any(AgentSession::State::TurnedAway)) return kStartUp;
+  return sessions.any(AgentSession::State::Dropped) ? kLost : 0;
 }
 
 }  // namespace
 
 int run_agent(const AgentArguments& arguments) {
-  start_log(fmt::format("skein-agent-{}", arguments.id), arguments.common);
+  start_log(fmt::format("skein-agent-{}", text_of(arguments.ids)), arguments.common);
   try {
     return serve(arguments);
   } catch (const std::exception& error) {

@@ -1,4 +1,7 @@
-// One UAV's agent as a process: from its id and the bus to the end of the run.
+// One UAV's agent as a process, or several in one: from their ids and the bus to the end of the run.
+//
+// Each vehicle has its own session, nonce, beacon and behaviour; they share the process's port (idl/bus/dds_port.hpp).
+// What is decided does not depend on who shares a process with whom.
 #pragma once
 
 #include "idl/process/common_flags.hpp"
@@ -8,12 +11,12 @@ namespace skein {
 
 struct AgentArguments {
   CommonFlags common;
-  AgentId id = 0;
+  std::vector<AgentId> ids;       ///< ascending, each once
   double world_timeout_s = 30.0;  ///< without a tick of any phase
 };
 
-/// Runs to the end. @return 0 after a run, 3 when refused or without a world, 4 when the world went on without it,
-/// 128 + signal after a signal (docs/architecture.md)
+/// Runs to the end. @return 0 after a run, 3 when one of the ids is refused or without a world, 4 when the world went
+/// on without one of them, 128 + signal after a signal (docs/architecture.md)
 [[nodiscard]] int run_agent(const AgentArguments& arguments);
 
 }  // namespace skein

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <set>
 
 #include "groundstation/cli/run_display.hpp"
 #include "groundstation/cli/verbs.hpp"
@@ -27,6 +28,7 @@ struct RunArguments {
   WorldArguments world;
   bool in_process = false;
   bool json = false;
+  std::size_t per_process = 1;
   std::string roster;
 };
 
@@ -66,9 +68,11 @@ void complete(Json& report, const Launcher& launcher) {
   }
   if (measured > 0) report["pss_mb_per_agent"] = pss_sum_mb / static_cast<double>(measured);
   report["processes"] = processes;
+  std::set<pid_t> named;
   for (const Json& change : report["roster_changes"]) {
     const auto lost = launcher.agents().find(change["agent"].get<unsigned>());
-    if (lost == launcher.agents().end() || !lost->second.wait_status) continue;
+    if (lost == launcher.agents().end() || !lost->second.wait_status || !named.insert(lost->second.pid).second)
+      continue;
     report["reason"] = fmt::format("{} (process {} of agent {}: {})", report["reason"].get<std::string>(),
                                    lost->second.pid, lost->first, describe_status(*lost->second.wait_status));
   }
@@ -116,7 +120,8 @@ int run_processes(RunArguments& arguments, RunDisplay& display, const Scenario& 
   const std::string folder = prepare_out(arguments.world.out, scenario);
   std::filesystem::remove(folder + "/report.json");
   Launcher launcher({binaries_folder(), folder, world_arguments(arguments, folder),
-                     arguments_of(arguments.world.common), [&](const auto& state) { display.show(state); }});
+                     arguments_of(arguments.world.common), arguments.per_process,
+                     [&](const auto& state) { display.show(state); }});
   const int status = launcher.run();
   display.end();
   std::ifstream file(folder + "/report.json");
@@ -191,6 +196,9 @@ VerbAction add_run_verb(CLI::App& app) {
   add_world_options(*verb, arguments->world);
   verb->add_flag("--in-process", arguments->in_process, "all in this process, over the in-memory bus");
   verb->add_option("--roster", arguments->roster, "with --in-process: repeat the losses of this report.json");
+  verb->add_option("--per-process", arguments->per_process, "vehicles that share an agent process, 1 to 256")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{kMaxAgents}))
+      ->capture_default_str();
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");
   return [arguments] { return run(*arguments); };
 }

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "idl/process/id_list.hpp"
 #include "idl/process/poll.hpp"
 
 namespace skein {
@@ -42,22 +43,35 @@ int Launcher::run() {
   return *world_->status();
 }
 
-void Launcher::start_agent(unsigned id) {
-  std::vector<std::string> arguments = plan_.agent_arguments;
-  arguments.insert(arguments.end(), {"--id", std::to_string(id)});
-  auto child = std::make_unique<Child>(plan_.binaries + "/skein-agent", arguments,
-                                       fmt::format("{}/agent-{}.log", plan_.out, id), -1);
-  records_[id].pid = child->pid();
-  channel_->send({{"started", id}, {"pid", child->pid()}});
-  children_[id] = std::move(child);
+void Launcher::start_agents(const std::vector<AgentId>& ids) {
+  for (std::size_t first = 0; first < ids.size(); first += plan_.per_process) {
+    const std::size_t count = std::min(plan_.per_process, ids.size() - first);
+    const auto begin = ids.begin() + static_cast<std::ptrdiff_t>(first);
+    const std::vector<AgentId> own(begin, begin + static_cast<std::ptrdiff_t>(count));
+    std::vector<std::string> arguments = plan_.agent_arguments;
+    arguments.insert(arguments.end(), {"--id", text_of(own)});
+    const std::string log = fmt::format("{}/agent-{}.log", plan_.out, text_of(own));
+    processes_.push_back(
+        std::make_unique<Process>(Process{Child(plan_.binaries + "/skein-agent", arguments, log, -1), own}));
+    const pid_t pid = processes_.back()->child.pid();
+    for (const AgentId id : own) records_[id].pid = pid;
+    channel_->send({{"started", own}, {"pid", pid}});
+  }
+}
+
+Launcher::Process* Launcher::process_of(AgentId id) {
+  const auto found = std::ranges::find_if(
+      processes_, [&](const auto& process) { return std::ranges::find(process->ids, id) != process->ids.end(); });
+  return found == processes_.end() ? nullptr : found->get();
 }
 
 void Launcher::take_messages() {
   while (const auto message = channel_->receive()) {
-    if (const auto id = message->find("launch"); id != message->end() && !signal_) start_agent(id->get<unsigned>());
+    if (const auto ids = message->find("launch"); ids != message->end() && !signal_) {
+      start_agents(ids->get<std::vector<AgentId>>());
+    }
     if (const auto id = message->find("kill"); id != message->end()) {
-      const auto child = children_.find(id->get<unsigned>());
-      if (child != children_.end()) child->second->signal(SIGKILL);
+      if (const Process* process = process_of(id->get<AgentId>())) process->child.signal(SIGKILL);
     }
     if (const auto progress = message->find("progress"); progress != message->end()) {
       if (progress->value("phase", "") == "flying") note_memory();
@@ -74,34 +88,37 @@ void Launcher::take_signals() {
       signalled_s_ = steady_now_s();
       world_->signal(*number);
     } else {
-      for (const auto& [id, child] : children_) child->signal(SIGKILL);
+      for (const auto& process : processes_) process->child.signal(SIGKILL);
       world_->signal(SIGKILL);
     }
   }
 }
 
 void Launcher::reap() {
-  for (auto& [id, child] : children_) {
-    AgentProcess& record = records_[id];
-    if (record.wait_status || child->running()) continue;
-    record.wait_status = child->status();
-    channel_->send({{"ended", id}, {"pid", record.pid}, {"status", *record.wait_status}});
+  for (const auto& process : processes_) {
+    if (records_[process->ids.front()].wait_status || process->child.running()) continue;
+    for (const AgentId id : process->ids) records_[id].wait_status = process->child.status();
+    channel_->send({{"ended", process->ids}, {"pid", process->child.pid()}, {"status", *process->child.status()}});
   }
 }
 
 void Launcher::note_memory() {
   if (std::exchange(memory_noted_, true)) return;
-  for (auto& [id, record] : records_) record.pss_mb = pss_mb(record.pid);
+  for (const auto& process : processes_) {
+    std::optional<double> share_mb = pss_mb(process->child.pid());
+    if (share_mb) *share_mb /= static_cast<double>(process->ids.size());
+    for (const AgentId id : process->ids) records_[id].pss_mb = share_mb;
+  }
 }
 
 bool Launcher::agents_running() {
-  return std::ranges::any_of(children_, [](const auto& entry) { return entry.second->running(); });
+  return std::ranges::any_of(processes_, [](const auto& process) { return process->child.running(); });
 }
 
 void Launcher::end_agents() {
   for (const int number : {0, SIGTERM, SIGKILL}) {
-    for (const auto& [id, child] : children_) {
-      if (number != 0 && child->running()) child->signal(number);
+    for (const auto& process : processes_) {
+      if (number != 0 && process->child.running()) process->child.signal(number);
     }
     const double until_s = steady_now_s() + (signal_ && number == 0 ? 0.5 : kGrace_s);
     while (agents_running() && steady_now_s() < until_s) {

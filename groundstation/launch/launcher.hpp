@@ -1,4 +1,5 @@
-// Runs a swarm as processes of this machine: one world, one agent a vehicle, and the end of all of them.
+// Runs a swarm as processes of this machine: one world, one agent process a vehicle (or for several), and the end of
+// all of them.
 //
 // The launcher starts the world with its own flags, and the agents that the world names over the control channel. It
 // tells the world at once when an agent's process ends, carries out faults on purpose, passes the first SIGINT or
@@ -14,6 +15,7 @@
 
 #include "groundstation/launch/child.hpp"
 #include "idl/process/signals.hpp"
+#include "planner/core/mission/mission.hpp"
 #include "simworld/control/control_channel.hpp"
 
 namespace skein {
@@ -28,14 +30,15 @@ struct LaunchPlan {
   std::string out;                           ///< folder of the logs
   std::vector<std::string> world_arguments;  ///< without --control-fd
   std::vector<std::string> agent_arguments;  ///< without --id
+  std::size_t per_process = 1;               ///< vehicles that share an agent process
   std::function<void(const nlohmann::json&)> on_progress;
 };
 
-/// How one agent's process went.
+/// How one agent's process went; the same for all that share it.
 struct AgentProcess {
   pid_t pid = 0;
   std::optional<int> wait_status;
-  std::optional<double> pss_mb;  ///< when the flight began
+  std::optional<double> pss_mb;  ///< when the flight began, the agent's share
 };
 
 class Launcher {
@@ -51,7 +54,14 @@ class Launcher {
   [[nodiscard]] std::optional<int> signal() const { return signal_; }
 
  private:
-  void start_agent(unsigned id);
+  /// A child with one agent or more.
+  struct Process {
+    Child child;
+    std::vector<AgentId> ids;
+  };
+  [[nodiscard]] Process* process_of(AgentId id);
+
+  void start_agents(const std::vector<AgentId>& ids);
   void take_messages();
   void take_signals();
   void reap();
@@ -63,7 +73,7 @@ class Launcher {
   SignalWatch signals_;
   std::unique_ptr<ControlChannel> channel_;
   std::unique_ptr<Child> world_;
-  std::map<unsigned, std::unique_ptr<Child>> children_;
+  std::vector<std::unique_ptr<Process>> processes_;
   std::map<unsigned, AgentProcess> records_;
   std::optional<int> signal_;
   double signalled_s_ = 0.0;

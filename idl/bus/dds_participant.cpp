@@ -93,7 +93,8 @@ void Participant::Listener::note(const Endpoint& endpoint, bool own_writes, bool
     return std::ranges::find(partitions_, name) != partitions_.end();
   };
   if (std::ranges::none_of(endpoint.m_qos.m_partition.getNames(), is_own)) return;
-  book_.found(process_key(endpoint.guid()), endpoint_bit(spec->id, own_writes), is_there, monotonic_s());
+  book_.found(process_key(endpoint.guid()), endpoint.guid().entityId.to_uint32(), endpoint_bit(spec->id, own_writes),
+              is_there, monotonic_s());
   wake_.ring();
 }
 
@@ -139,10 +140,10 @@ fdds::Publisher* Participant::publisher(const std::string& partition) {
   return require_made(participant_->create_publisher(qos), "a publisher");
 }
 
-fdds::Subscriber* Participant::subscriber(const std::string& partition) {
+fdds::Subscriber* Participant::subscriber(const std::vector<std::string>& partitions) {
   fdds::SubscriberQos qos = participant_->get_default_subscriber_qos();
   qos.partition().clear();
-  qos.partition().push_back(partition.c_str());
+  for (const std::string& partition : partitions) qos.partition().push_back(partition.c_str());
   return require_made(participant_->create_subscriber(qos), "a subscriber");
 }
 

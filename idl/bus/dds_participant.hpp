@@ -51,9 +51,9 @@ class Participant {
 
   /// The topic of the table, made on first use.
   [[nodiscard]] fdds::Topic* topic(const TopicSpec& spec, const fdds::TypeSupport& type);
-  /// A new group of endpoints in one partition.
+  /// A new group of endpoints in one partition, or of readers in several.
   [[nodiscard]] fdds::Publisher* publisher(const std::string& partition);
-  [[nodiscard]] fdds::Subscriber* subscriber(const std::string& partition);
+  [[nodiscard]] fdds::Subscriber* subscriber(const std::vector<std::string>& partitions);
 
   [[nodiscard]] ProcessKey key() const { return process_key(participant_->guid()); }
 

@@ -26,7 +26,7 @@ struct DdsWorldPort::Impl {
       : book(self(config)),
         participant(config, partitions_of(config, agents), book, wake),
         publisher(participant.publisher(config.swarm)),
-        subscriber(participant.subscriber(config.swarm)),
+        subscriber(participant.subscriber({config.swarm})),
         beacon(participant, subscriber, book, wake, inbox),
         representative_in(participant, subscriber, book, wake, inbox),
         representative_out(participant, publisher, book, wake),

@@ -1,6 +1,7 @@
 #include "idl/bus/peer_book.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 #include <utility>
 
@@ -35,24 +36,37 @@ void PeerBook::gone(const ProcessKey& process) {
   peers_.erase(process);
 }
 
-void PeerBook::found(const ProcessKey& process, std::uint16_t endpoint, bool is_there, double now_s) {
+void PeerBook::found(const ProcessKey& process, EntityKey entity, std::uint16_t endpoint, bool is_there, double now_s) {
+  const auto bit = static_cast<std::size_t>(std::countr_zero(endpoint));
   const std::lock_guard lock(mutex_);
   if (is_there) {
     Peer& peer = peers_[process];
-    if ((peer.found & endpoint) != 0) return;
-    peer.found = static_cast<std::uint16_t>(peer.found | endpoint);
-    peer.found_s = now_s;
-  } else if (const auto known = peers_.find(process); known != peers_.end()) {
-    known->second.found = static_cast<std::uint16_t>(known->second.found & ~endpoint);
-    known->second.matched = static_cast<std::uint16_t>(known->second.matched & ~endpoint);
+    if (peer.found.emplace(entity, bit).second) peer.found_s = now_s;
+  } else if (const auto known = peers_.find(process); known != peers_.end() && known->second.found.erase(entity) > 0) {
+    known->second.named[bit] = 0;
   }
 }
 
 void PeerBook::matched(const ProcessKey& process, std::uint16_t endpoint) {
   const std::lock_guard lock(mutex_);
   if (const auto known = peers_.find(process); known != peers_.end()) {
-    known->second.matched = static_cast<std::uint16_t>(known->second.matched | (endpoint & known->second.found));
+    ++known->second.named[static_cast<std::size_t>(std::countr_zero(endpoint))];
   }
+}
+
+bool PeerBook::complete(const Peer& peer, double now_s) const {
+  const std::uint16_t expected = expected_matches(own_.role, peer.info->role);
+  const std::uint32_t members = own_.role == Role::Agent ? own_.members : peer.info->members;
+  bool all_named = true;
+  for (std::size_t bit = 0; bit < peer.named.size(); ++bit) {
+    if (((expected >> bit) & 1U) == 0) continue;
+    const std::uint32_t matches = kTopics[bit / 2].per_agent ? members : 1U;
+    // the world has a writer for each agent, a process of agents one reader for all of them
+    const std::uint32_t endpoints = own_.role == Role::Agent ? matches : 1U;
+    if (std::ranges::count(peer.found, bit, [](const auto& entry) { return entry.second; }) < endpoints) return false;
+    all_named = all_named && peer.named[bit] >= matches;
+  }
+  return all_named || now_s - peer.found_s >= kSettled_s;
 }
 
 std::vector<std::uint64_t> PeerBook::matched_nonces(double now_s) const {
@@ -60,10 +74,8 @@ std::vector<std::uint64_t> PeerBook::matched_nonces(double now_s) const {
   const std::lock_guard lock(mutex_);
   for (const auto& [process, peer] : peers_) {
     if (!peer.info || !is_counted(own_.role, peer.info->role) || peer.info->swarm != own_.swarm) continue;
-    const std::uint16_t expected = expected_matches(own_.role, peer.info->role);
-    if ((peer.found & expected) != expected) continue;
-    const bool named = (peer.matched & expected) == expected;
-    if (named || now_s - peer.found_s >= kSettled_s) nonces.push_back(peer.info->nonce);
+    if (!complete(peer, now_s)) continue;
+    for (std::uint32_t member = 0; member < peer.info->members; ++member) nonces.push_back(peer.info->nonce + member);
   }
   std::ranges::sort(nonces);
   return nonces;

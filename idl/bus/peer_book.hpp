@@ -1,10 +1,11 @@
 // Which processes are there, and which of their endpoints are matched with this process's.
 //
 // A process is matched when its USER_DATA is known and every endpoint that the two roles must have in common
-// (expected_matches) is. That an endpoint exists is told exactly; that it is matched is told by callbacks which DDS may
-// mix up: Fast DDS 2.9.1 calls them from several threads with one status that all of them write, so of two endpoints
-// matched at the same moment one may be named twice and the other never. Hence an endpoint that exists also counts as
-// matched when kSettled_s have passed: the thread that finds it matches it at once, and names it or not.
+// (expected_matches) is; of a topic with a partition an agent, once for each agent of the process. That an endpoint
+// exists is told exactly; that it is matched is told by callbacks which DDS may mix up: Fast DDS 2.9.1 calls them from
+// several threads with one status that all of them write, so of two endpoints matched at the same moment one may be
+// named twice and the other never. Hence endpoints that exist also count as matched when kSettled_s have passed: the
+// thread that finds one matches it at once, and names it or not.
 // Fed by the listeners of the DDS bus, read by the owner of the port; safe from any thread.
 // Complexity: O(processes) a question, O(log processes) a notice.
 #pragma once
@@ -27,6 +28,9 @@ inline constexpr double kSettled_s = 1.0;
 /// What all endpoints of a process have in common: the prefix of their GUIDs.
 using ProcessKey = std::array<std::uint8_t, 12>;
 
+/// What tells the endpoints of a process apart: the rest of their GUIDs.
+using EntityKey = std::uint32_t;
+
 class PeerBook {
  public:
   explicit PeerBook(PeerInfo own) : own_(std::move(own)) {}
@@ -35,13 +39,13 @@ class PeerBook {
   void discovered(const ProcessKey& process, std::optional<PeerInfo> info);
   /// It ended, or its lease ran out.
   void gone(const ProcessKey& process);
-  /// The counterpart of an endpoint of this process (endpoint_bit) was found in that process at `now_s`, or is gone.
-  void found(const ProcessKey& process, std::uint16_t endpoint, bool is_there, double now_s);
+  /// A counterpart of an endpoint of this process (endpoint_bit) was found in that process at `now_s`, or is gone.
+  void found(const ProcessKey& process, EntityKey entity, std::uint16_t endpoint, bool is_there, double now_s);
   /// DDS says that an endpoint of this process was matched in that process.
   void matched(const ProcessKey& process, std::uint16_t endpoint);
 
-  /// Nonces, ascending, of the agents and (for an agent) the world whose endpoints are all matched with this process's.
-  /// @param now_s of the same steady clock as in found()
+  /// Nonces, ascending, of the agents and (for an agent) the world whose process's endpoints are all matched with this
+  /// process's. @param now_s of the same steady clock as in found()
   [[nodiscard]] std::vector<std::uint64_t> matched_nonces(double now_s) const;
 
   /// Why this process must not take part, in one line, or nothing. For an agent: a world of its swarm has another wire
@@ -53,10 +57,11 @@ class PeerBook {
  private:
   struct Peer {
     std::optional<PeerInfo> info;
-    std::uint16_t found = 0;    ///< endpoint_bit()s
-    std::uint16_t matched = 0;  ///< likewise
-    double found_s = 0.0;       ///< when the last one was
+    std::map<EntityKey, std::size_t> found;                 ///< endpoints there, with the bit of their counterpart here
+    std::array<std::uint32_t, 2 * kTopics.size()> named{};  ///< matches told of each endpoint of this process, by bit
+    double found_s = 0.0;                                   ///< when the last one was found
   };
+  [[nodiscard]] bool complete(const Peer& peer, double now_s) const;
 
   PeerInfo own_;
   mutable std::mutex mutex_;

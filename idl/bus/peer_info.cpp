@@ -43,6 +43,7 @@ std::string to_text(const PeerInfo& info) {
   text.append(" nonce=").append(std::to_string(info.nonce));
   text.append(" wire=").append(std::to_string(info.wire_version));
   text.append(" start=").append(std::to_string(info.start_stamp_ns));
+  if (info.members != 1) text.append(" members=").append(std::to_string(info.members));
   return text;
 }
 
@@ -69,6 +70,8 @@ std::optional<PeerInfo> peer_info_from(std::string_view text) {
       good = read(value, info.wire_version), found |= 16U;
     } else if (key == "start") {
       good = read(value, info.start_stamp_ns), found |= 32U;
+    } else if (key == "members") {
+      good = read(value, info.members) && info.members >= 1 && info.members <= kMaxAgents;
     }
     if (!good) return std::nullopt;
   }

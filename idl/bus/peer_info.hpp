@@ -2,6 +2,8 @@
 //
 // "skein role=agent swarm=geese id=3 nonce=81985529216486895 wire=1 start=1700000000000000000": words in any order,
 // unknown ones are skipped, so that a later version may add some.
+// A process that holds several agents says " members=8" as well; `id` is its lowest agent, and its agents have the
+// nonces `nonce`, `nonce` + 1 and so on, by ascending id.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +24,7 @@ struct PeerInfo {
   std::uint64_t nonce = 0;
   std::uint32_t wire_version = wire::kWireVersion;
   std::int64_t start_stamp_ns = 0;
+  std::uint32_t members = 1;  ///< agents in the process
 
   bool operator==(const PeerInfo&) const = default;
 };

@@ -41,7 +41,7 @@ class WorldProcess {
         launched_(channel_.open()) {}
 
   void run() {
-    for (const VehicleSpec& vehicle : scenario_.mission.vehicles) channel_.send({{"launch", vehicle.id}});
+    channel_.send({{"launch", ids_of(scenario_.mission)}});
     while (session_.state() != WorldSession::State::Done) {
       wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, session_.idle_s(steady_now_s()));
       take_signals();
@@ -81,7 +81,7 @@ class WorldProcess {
   void take_messages() {
     while (const auto message = channel_.receive()) {
       if (const auto ended = message->find("ended"); ended != message->end()) {
-        session_.process_ended(ended->get<AgentId>(), steady_now_s());
+        for (const auto id : ended->get<std::vector<AgentId>>()) session_.process_ended(id, steady_now_s());
       }
     }
     if (launched_ && !channel_.open()) session_.interrupt("the launcher ended", steady_now_s());

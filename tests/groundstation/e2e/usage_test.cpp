@@ -60,6 +60,8 @@ TEST(Usage, BadFlagsGiveOneLineAndExitCode2) {
                                              {"skein-agent"},
                                              {"skein-agent", "--id", "0"},
                                              {"skein-agent", "--id", "257"},
+                                             {"skein-agent", "--id", "1-3,2"},
+                                             {"skein", "run", good, "--per-process", "0"},
                                              {"skein-simworld"},
                                              {"skein-simworld", good, "--fault", "kill:2@plan:3"}}) {
     std::vector<std::string> arguments{binary(flags[0])};

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+
 namespace skein::bus {
 namespace {
 
@@ -19,12 +21,17 @@ PeerInfo info(Role role, std::uint64_t nonce, std::int64_t start_stamp_ns = 0) {
 
 constexpr double kNow_s = 100.0;  ///< everything is found then
 
+/// One endpoint a kind: the entity is that of match().
+void find(PeerBook& book, const ProcessKey& process, std::uint16_t endpoint, bool is_there, double now_s) {
+  book.found(process, static_cast<EntityKey>(std::countr_zero(endpoint)), endpoint, is_there, now_s);
+}
+
 /// Finds all endpoints that the roles have in common, and matches all but those in `missing`.
 void match(PeerBook& book, const ProcessKey& process, Role peer, std::uint16_t missing = 0) {
   for (unsigned bit = 0; bit < 16; ++bit) {
     const auto endpoint = static_cast<std::uint16_t>(1U << bit);
     if ((expected_matches(book.own().role, peer) & endpoint) == 0) continue;
-    book.found(process, endpoint, true, kNow_s);
+    book.found(process, bit, endpoint, true, kNow_s);
     if ((endpoint & missing) == 0) book.matched(process, endpoint);
   }
 }
@@ -41,7 +48,7 @@ TEST(PeerBook, CountsAProcessOnceItIsKnownAndAllItsEndpointsAreMatched) {
   match(book, kSecond, Role::Agent);
   book.discovered(kSecond, info(Role::Agent, 7));
   EXPECT_THAT(book.matched_nonces(kNow_s), ElementsAre(7, 9));
-  book.found(kFirst, sense, false, kNow_s);
+  find(book, kFirst, sense, false, kNow_s);
   EXPECT_THAT(book.matched_nonces(kNow_s), ElementsAre(7));
   book.gone(kSecond);
   EXPECT_THAT(book.matched_nonces(kNow_s), IsEmpty());
@@ -59,9 +66,9 @@ TEST(PeerBook, AMatchThatIsNeverNamedCountsOnceItsEndpointHasBeenThereForAWhile)
   EXPECT_THAT(book.matched_nonces(kNow_s), ElementsAre(7));
   EXPECT_THAT(book.matched_nonces(kNow_s + 0.99 * kSettled_s), ElementsAre(7));
   EXPECT_THAT(book.matched_nonces(kNow_s + kSettled_s), ElementsAre(7, 8));
-  book.found(kSecond, writer, true, kNow_s + 5.0);  // told again: as old as it was
+  find(book, kSecond, writer, true, kNow_s + 5.0);  // told again: as old as it was
   EXPECT_THAT(book.matched_nonces(kNow_s + kSettled_s), ElementsAre(7, 8));
-  book.found(kSecond, writer, false, kNow_s + 5.0);
+  find(book, kSecond, writer, false, kNow_s + 5.0);
   EXPECT_THAT(book.matched_nonces(kNow_s + 10.0), ElementsAre(7));
 }
 
@@ -72,12 +79,40 @@ TEST(PeerBook, AnEndpointThatIsNamedButNotThereDoesNotCount) {
   EXPECT_THAT(book.matched_nonces(kNow_s + 10.0), IsEmpty());
 }
 
+TEST(PeerBook, AGroupIsMatchedOnceEachOfItsAgentsHasItsSenseTopic) {
+  PeerInfo three = info(Role::Agent, 50);
+  three.members = 3;
+  const auto world_sense = endpoint_bit(TopicId::Sense, true);
+  PeerBook world(info(Role::World, 9));
+  world.discovered(kFirst, three);
+  match(world, kFirst, Role::Agent);
+  world.matched(kFirst, world_sense);
+  EXPECT_THAT(world.matched_nonces(kNow_s), IsEmpty());
+  world.matched(kFirst, world_sense);
+  EXPECT_THAT(world.matched_nonces(kNow_s), ElementsAre(50, 51, 52));
+  const auto group_sense = endpoint_bit(TopicId::Sense, false);
+  PeerBook group(three);
+  group.discovered(kFirst, info(Role::World, 9));
+  group.discovered(kSecond, three);
+  match(group, kFirst, Role::World);
+  match(group, kSecond, Role::Agent);
+  EXPECT_THAT(group.matched_nonces(kNow_s + 9.0), ElementsAre(50, 51, 52)) << "two writers of the world are missing";
+  for (const EntityKey writer : {100U, 101U}) {
+    group.found(kFirst, writer, group_sense, true, kNow_s);
+    EXPECT_THAT(group.matched_nonces(kNow_s), ElementsAre(50, 51, 52));
+    group.matched(kFirst, group_sense);
+  }
+  EXPECT_THAT(group.matched_nonces(kNow_s), ElementsAre(9, 50, 51, 52));
+  group.found(kFirst, 101, group_sense, false, kNow_s);
+  EXPECT_THAT(group.matched_nonces(kNow_s + 9.0), ElementsAre(50, 51, 52));
+}
+
 TEST(PeerBook, ANoticeAfterTheEndBringsNobodyBack) {
   PeerBook book(info(Role::World, 5));
   book.discovered(kFirst, info(Role::Agent, 7));
   match(book, kFirst, Role::Agent);
   book.gone(kFirst);
-  book.found(kFirst, endpoint_bit(TopicId::Tick, true), false, kNow_s);
+  find(book, kFirst, endpoint_bit(TopicId::Tick, true), false, kNow_s);
   book.matched(kFirst, endpoint_bit(TopicId::Tick, true));
   EXPECT_THAT(book.matched_nonces(kNow_s), IsEmpty());
 }

@@ -13,6 +13,15 @@ TEST(PeerInfo, GoesThroughText) {
   EXPECT_EQ(peer_info_from(to_text(kGoose)), kGoose);
 }
 
+TEST(PeerInfo, SaysHowManyAgentsShareTheProcessIfNotOne) {
+  PeerInfo group = kGoose;
+  group.members = 8;
+  EXPECT_EQ(to_text(group), to_text(kGoose) + " members=8");
+  EXPECT_EQ(peer_info_from(to_text(group)), group);
+  EXPECT_EQ(peer_info_from(to_text(kGoose) + " members=0"), std::nullopt);
+  EXPECT_EQ(peer_info_from(to_text(kGoose) + " members=257"), std::nullopt);
+}
+
 TEST(PeerInfo, SkipsWordsThatALaterVersionMayAdd) {
   EXPECT_EQ(peer_info_from(to_text(kGoose) + " colour=grey extra"), kGoose);
 }

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
+#include <numeric>
 #include <string>
+#include <vector>
 
 namespace skein {
 namespace {
@@ -15,13 +17,15 @@ using Json = nlohmann::json;
 TEST(ControlChannel, MessagesKeepTheirBoundariesBothWays) {
   auto [near, far] = ControlChannel::pair();
   EXPECT_FALSE(near.receive().has_value());
-  near.send({{"launch", 1}});
-  near.send({{"launch", 2}});
-  far.send({{"started", 1}, {"pid", 77}});
-  EXPECT_EQ(far.receive(), Json({{"launch", 1}}));
-  EXPECT_EQ(far.receive(), Json({{"launch", 2}}));
+  std::vector<int> all(256);
+  std::iota(all.begin(), all.end(), 1);
+  near.send({{"launch", all}});
+  near.send({{"kill", 2}});
+  far.send({{"started", {1, 2}}, {"pid", 77}});
+  EXPECT_EQ(far.receive(), Json({{"launch", all}})) << "the longest list";
+  EXPECT_EQ(far.receive(), Json({{"kill", 2}}));
   EXPECT_FALSE(far.receive().has_value());
-  EXPECT_EQ(near.receive(), Json({{"started", 1}, {"pid", 77}}));
+  EXPECT_EQ(near.receive(), Json({{"started", {1, 2}}, {"pid", 77}}));
   EXPECT_TRUE(near.open());
   EXPECT_TRUE(far.open());
 }
