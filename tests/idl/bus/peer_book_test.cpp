@@ -28,7 +28,7 @@ void find(PeerBook& book, const ProcessKey& process, std::uint16_t endpoint, boo
 
 /// Finds all endpoints that the roles have in common, and matches all but those in `missing`.
 void match(PeerBook& book, const ProcessKey& process, Role peer, std::uint16_t missing = 0) {
-  for (unsigned bit = 0; bit < 16; ++bit) {
+  for (unsigned bit = 0; bit < 2 * kTopics.size(); ++bit) {
     const auto endpoint = static_cast<std::uint16_t>(1U << bit);
     if ((expected_matches(book.own().role, peer) & endpoint) == 0) continue;
     book.found(process, bit, endpoint, true, kNow_s);
@@ -75,7 +75,7 @@ TEST(PeerBook, AMatchThatIsNeverNamedCountsOnceItsEndpointHasBeenThereForAWhile)
 TEST(PeerBook, AnEndpointThatIsNamedButNotThereDoesNotCount) {
   PeerBook book(info(Role::World, 5));
   book.discovered(kFirst, info(Role::Agent, 7));
-  for (unsigned bit = 0; bit < 16; ++bit) book.matched(kFirst, static_cast<std::uint16_t>(1U << bit));
+  for (unsigned bit = 0; bit < 2 * kTopics.size(); ++bit) book.matched(kFirst, static_cast<std::uint16_t>(1U << bit));
   EXPECT_THAT(book.matched_nonces(kNow_s + 10.0), IsEmpty());
 }
 
