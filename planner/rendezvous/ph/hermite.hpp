@@ -12,6 +12,7 @@
 #pragma once
 
 #include "planner/core/geometry/types.hpp"
+#include "planner/rendezvous/ph/controls.hpp"
 #include "planner/rendezvous/ph/planar_path.hpp"
 
 namespace skein::rendezvous::ph {
@@ -23,20 +24,18 @@ struct PlanarPose {
   bool operator==(const PlanarPose&) const = default;
 };
 
-/// The control variables of a path: lengths (m) of dr/dq at start and end.
-struct Controls {
-  double m0_m = 0.0;
-  double m1_m = 0.0;
-
-  bool operator==(const Controls&) const = default;
-};
-
 class Hermite {
  public:
   /// @throws std::invalid_argument if the two positions coincide.
   Hermite(const PlanarPose& start, const PlanarPose& end);
 
   [[nodiscard]] double chord_m() const { return chord_m_; }
+  [[nodiscard]] const Vec2& start_m() const { return start_m_; }
+  /// What the choice and the formula need, in the chord frame: see the members.
+  [[nodiscard]] bool forward() const { return forward_; }
+  [[nodiscard]] Complex half_start() const { return half_start_; }
+  [[nodiscard]] Complex half_end() const { return half_end_; }
+  [[nodiscard]] Complex half_chord() const { return half_chord_; }
   /// The path of positive controls.
   [[nodiscard]] PlanarPath path(const Controls& m) const;
   /// Its length (m) alone.

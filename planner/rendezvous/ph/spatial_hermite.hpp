@@ -26,6 +26,12 @@ class SpatialHermite {
   SpatialHermite(const Pose& start, const Pose& end);
 
   [[nodiscard]] double chord_m() const { return chord_m_; }
+  [[nodiscard]] const Vec3& start_m() const { return start_m_; }
+  /// What the choice and the formula need, in the chord frame: see the members.
+  [[nodiscard]] const Axes& axes() const { return axes_; }
+  [[nodiscard]] bool forward() const { return forward_; }
+  [[nodiscard]] const Vec3& half_start() const { return half_start_; }
+  [[nodiscard]] const Vec3& half_end() const { return half_end_; }
   /// The path of positive controls.
   [[nodiscard]] SpatialPath path(const Controls& m) const;
   /// Its length (m) alone.
