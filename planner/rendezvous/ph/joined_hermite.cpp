@@ -94,6 +94,33 @@ SpatialSpline spline_of(const SpatialHermite& ends, const Controls& m, std::size
   });
 }
 
+/// Puts a value, and of a spline's coefficient the sign in which its first coordinate is not negative.
+void put(Controls& m, double value) {
+  m.interior.values[m.interior.size++] = value;
+}
+
+void put(Controls& m, Complex c) {
+  if (c.re < 0.0) c = -c;
+  put(m, dot(c, c));
+  put(m, 2.0 * math::atan2(c.im, c.re));
+}
+
+void put(Controls& m, Vec3 a) {
+  if (a[0] < 0.0) a = -a;
+  put(m, a.squaredNorm());
+  put(m, 2.0 * math::atan2(a[1], a[0]));
+  put(m, 2.0 * math::atan2(a[2], std::sqrt(a[0] * a[0] + a[1] * a[1])));
+}
+
+template <typename T>
+Controls followed_by(const SplineCoefficients<T>& c, std::size_t segments, const Controls& m, std::size_t n) {
+  Controls shaped{m.m0_m, m.m1_m};
+  for (std::size_t j = 1; j <= n; ++j) {
+    if (j != closing_coefficient(n)) put(shaped, followed(c, segments, n, j));
+  }
+  return shaped;
+}
+
 /// Sum of the lengths of the pieces; `Of` is the preimage of one.
 template <typename Of, typename T>
 double length_of_spline(const SplineCoefficients<T>& c, std::size_t segments) {
@@ -119,6 +146,11 @@ double JoinedHermite::length_m(const Controls& m) const {
   return length_of_spline<Preimage>(spline_of(*this, m, segments), segments);
 }
 
+Controls JoinedHermite::reshaped(const Controls& m, std::size_t n) const {
+  const std::size_t segments = 1 + m.interior.size / kPlanar;
+  return n == segments ? m : followed_by(spline_of(*this, m, segments), segments, m, n);
+}
+
 JoinedSpatialPath SpatialJoinedHermite::path(const Controls& m) const {
   if (!m.is_joined()) return SpatialHermite::path(m);
   const std::size_t segments = 1 + m.interior.size / kSpatial;
@@ -129,6 +161,11 @@ double SpatialJoinedHermite::length_m(const Controls& m) const {
   if (!m.is_joined()) return SpatialHermite::length_m(m);
   const std::size_t segments = 1 + m.interior.size / kSpatial;
   return length_of_spline<SpatialPreimage>(spline_of(*this, m, segments), segments);
+}
+
+Controls SpatialJoinedHermite::reshaped(const Controls& m, std::size_t n) const {
+  const std::size_t segments = 1 + m.interior.size / kSpatial;
+  return n == segments ? m : followed_by(spline_of(*this, m, segments), segments, m, n);
 }
 
 }  // namespace skein::rendezvous::ph

@@ -19,6 +19,8 @@
 
 namespace skein::rendezvous::ph {
 
+/// `reshaped`: controls of a path of n segments that is close to a given one; to that of a single segment it is equal,
+/// but for lengths or angles out of their range.
 class JoinedHermite : public Hermite {
  public:
   static constexpr std::size_t kPerCoefficient = 2;  ///< numbers of a free coefficient: m, direction
@@ -30,6 +32,7 @@ class JoinedHermite : public Hermite {
   [[nodiscard]] JoinedPlanarPath path(const Controls& m) const;
   /// Its length (m) alone.
   [[nodiscard]] double length_m(const Controls& m) const;
+  [[nodiscard]] Controls reshaped(const Controls& m, std::size_t n) const;
 };
 
 class SpatialJoinedHermite : public SpatialHermite {
@@ -43,6 +46,7 @@ class SpatialJoinedHermite : public SpatialHermite {
   [[nodiscard]] JoinedSpatialPath path(const Controls& m) const;
   /// Its length (m) alone.
   [[nodiscard]] double length_m(const Controls& m) const;
+  [[nodiscard]] Controls reshaped(const Controls& m, std::size_t n) const;
 };
 
 }  // namespace skein::rendezvous::ph

@@ -47,6 +47,21 @@ template <typename T>
   return {first, c[i + 1], last};
 }
 
+/// Coefficient j of a spline of `n` pieces that follows one of `segments` pieces: the blossom of the old pieces at the
+/// two knots of the new coefficient, which is exact for segments = 1.
+template <typename T>
+[[nodiscard]] T followed(const SplineCoefficients<T>& c, std::size_t segments, std::size_t n, std::size_t j) {
+  const double parts = static_cast<double>(segments);
+  const double from = static_cast<double>(j == 0 ? 0 : j - 1) / static_cast<double>(n);
+  const double to = static_cast<double>(j > n ? n : j) / static_cast<double>(n);
+  const double at = 0.5 * (from + to) * parts;
+  const std::size_t i = at < parts ? static_cast<std::size_t>(at) : segments - 1;
+  const double a = from * parts - static_cast<double>(i);
+  const double b = to * parts - static_cast<double>(i);
+  const std::array<T, 3> w = piece_of(c, segments, i);
+  return ((1.0 - a) * (1.0 - b)) * w[0] + ((1.0 - a) * b + a * (1.0 - b)) * w[1] + (a * b) * w[2];
+}
+
 /// G of n segments: integrals over [0, 1] of products of two B-splines.
 [[nodiscard]] constexpr SplineCoefficients<SplineCoefficients<double>> gram_matrix(std::size_t segments) {
   // of the quadratic Bernstein polynomials

@@ -13,7 +13,7 @@ namespace {
 using rendezvous::ph::Hermite;
 using rendezvous::ph::PlanarPath;
 
-double max_curvature_per_m(const PlanarPath& path) {
+double sampled_curvature_per_m(const PlanarPath& path) {
   double most = 0.0;
   for (int i = 0; i <= 2000; ++i) most = std::max(most, std::fabs(path.curvature(i / 2000.0)));
   return most;
@@ -28,7 +28,7 @@ PlanarPath random_path(RandomStream& random, double share) {
     const Hermite hermite({Vec2::Zero(), bearing_rad + random.uniform(-1.2, 1.2)},
                           {end_m, bearing_rad + random.uniform(-1.2, 1.2)});
     const PlanarPath path = hermite.path({random.uniform(0.3, 3.0) * chord_m, random.uniform(0.3, 3.0) * chord_m});
-    if (max_curvature_per_m(path) < share * test::kSpec.max_curvature_per_m) return path;
+    if (sampled_curvature_per_m(path) < share * test::kSpec.max_curvature_per_m) return path;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "planner/core/geometry/frames.hpp"
@@ -44,6 +45,12 @@ struct InPlane {
     EXPECT_NEAR(hermite.length_m(m), path.length_m(), 1e-12 * path.length_m());
     return path;
   }
+  /// Poses within 60 degrees of the chord: no part of such a path leads back.
+  static std::pair<JoinedHermite, Controls> forward_segment(RandomStream& stream) {
+    const JoinedHermite hermite({Vec2(100.0, 200.0), stream.uniform(-1.0, 1.0)},
+                                {Vec2(9000.0, 200.0), stream.uniform(-1.0, 1.0)});
+    return {hermite, {9000.0 * stream.uniform(0.5, 2.0), 9000.0 * stream.uniform(0.5, 2.0)}};
+  }
   static Vec direction(const PlanarPath& piece, double t) { return direction_of_heading(piece.heading(t)); }
 };
 
@@ -65,6 +72,12 @@ struct InSpace {
     EXPECT_NEAR((path.direction(1.0) - direction_of(to)).norm(), 0.0, 1e-11);
     EXPECT_NEAR(hermite.length_m(m), path.length_m(), 1e-12 * path.length_m());
     return path;
+  }
+  static std::pair<SpatialJoinedHermite, Controls> forward_segment(RandomStream& stream) {
+    const SpatialJoinedHermite hermite(
+        {Vec3(100.0, 200.0, 0.0), stream.uniform(-1.0, 1.0), stream.uniform(-0.5, 0.5)},
+        {Vec3(9000.0, 200.0, 900.0), stream.uniform(-1.0, 1.0), stream.uniform(-0.5, 0.5)});
+    return {hermite, {9000.0 * stream.uniform(0.5, 2.0), 9000.0 * stream.uniform(0.5, 2.0)}};
   }
   static Vec direction(const SpatialPath& piece, double t) { return piece.direction(t); }
 };
@@ -109,6 +122,25 @@ TYPED_TEST(JoinedProperty, CurvatureIsContinuousAcrossTheJoints) {
       EXPECT_NEAR(before, after, 1e-9 * std::max(1.0, std::fabs(before)));
     }
   });
+}
+
+TYPED_TEST(JoinedProperty, AReshapedSingleSegmentIsTheSamePath) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    RandomStream stream(seed, 0, Purpose::Test, 62);
+    const auto [hermite, m] = TypeParam::forward_segment(stream);
+    const auto single = hermite.path(m);
+    for (std::size_t n = 2; n <= kMaxSegments; ++n) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(n) + " segments");
+      const Controls same = hermite.reshaped(m, n);
+      EXPECT_EQ(same, hermite.reshaped(same, n));
+      const auto joined = hermite.path(same);
+      ASSERT_EQ(joined.pieces().size(), n);
+      EXPECT_NEAR(joined.length_m(), single.length_m(), 1e-9 * single.length_m());
+      for (const double q : {0.2, 0.5, 0.9}) {
+        EXPECT_LE((joined.position(q) - single.position(q)).norm(), 1e-9 * single.length_m());
+      }
+    }
+  }
 }
 
 TYPED_TEST(JoinedProperty, PointsDivideTheWholeLength) {
