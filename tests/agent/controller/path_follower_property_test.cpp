@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planner/core/random/random_stream.hpp"
-#include "planner/rendezvous/ph/hermite.hpp"
+#include "planner/rendezvous/ph/joined_hermite.hpp"
 #include "tests/agent/controller/flight.hpp"
 
 namespace skein {
@@ -41,6 +41,28 @@ TEST(PathFollowerProperty, ArrivesAtTheEndOfRandomPaths) {
     ASSERT_LT(flown.end_error_m, 0.2) << i;
     ASSERT_LT(flown.settled_error_m, 0.5) << i;
     ASSERT_LE(flown.max_curvature_per_m, test::kSpec.max_curvature_per_m * (1.0 + 1e-12)) << i;
+  }
+}
+
+TEST(PathFollowerProperty, ArrivesAtTheEndOfJoinedSegments) {
+  RandomStream random(33, 1, Purpose::Test, 0);
+  for (int flights = 0; flights < 100;) {
+    const Vec2 end_m(random.uniform(5000.0, 30000.0), random.uniform(-15000.0, 15000.0));
+    const double chord_m = end_m.norm();
+    const rendezvous::ph::JoinedHermite hermite({Vec2::Zero(), random.uniform(-1.0, 1.0)},
+                                                {end_m, random.uniform(-1.0, 1.0)});
+    rendezvous::ph::Controls m{random.uniform(0.5, 2.0) * chord_m, random.uniform(0.5, 2.0) * chord_m};
+    for (m.interior.size = 0; m.interior.size < 2 * (1 + random.below(3));) {
+      m.interior.values[m.interior.size++] = random.uniform(0.5, 2.0) * chord_m;
+      m.interior.values[m.interior.size++] = random.uniform(-1.0, 1.0);
+    }
+    const rendezvous::ph::JoinedPlanarPath path = hermite.path(m);
+    if (!curvature_within(path, 0.9 * test::kSpec.max_curvature_per_m)) continue;
+    const test::Flown flown = test::fly(path, {Vec3::Zero(), path.heading(0.0), 0.0});
+    ASSERT_NEAR(flown.steps, path.length_m() / 25.0, 2.0) << flights;
+    ASSERT_LT(flown.end_error_m, 0.2) << flights;
+    ASSERT_LT(flown.settled_error_m, 0.5) << flights;
+    ++flights;
   }
 }
 
