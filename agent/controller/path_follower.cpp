@@ -17,7 +17,7 @@ PathFollower::PathFollower(const VehicleSpec& spec, double step_s)
       step_m_(spec.speed_mps * step_s),
       max_turn_rad_(spec.max_curvature_per_m * spec.speed_mps * step_s) {}
 
-PathFollower::Command PathFollower::command(const rendezvous::ph::PlanarPath& path, const Pose& pose) {
+PathFollower::Command PathFollower::command(const rendezvous::ph::JoinedPlanarPath& path, const Pose& pose) {
   if (under_way_) travelled_m_ += step_m_;
   under_way_ = true;
   const Vec2 position = pose.position_m.head<2>();
@@ -42,7 +42,7 @@ PathFollower::Command PathFollower::command(const rendezvous::ph::PlanarPath& pa
   return {Vec3(speed_mps_ * direction.x(), speed_mps_ * direction.y(), 0.0), flown};
 }
 
-PathFollower::Command PathFollower::command(const rendezvous::ph::SpatialPath& path, const Pose& pose) {
+PathFollower::Command PathFollower::command(const rendezvous::ph::JoinedSpatialPath& path, const Pose& pose) {
   if (under_way_) travelled_m_ += step_m_;
   under_way_ = true;
   double q = path.parameter_at(travelled_m_);

@@ -12,8 +12,7 @@
 #pragma once
 
 #include "planner/core/mission/mission.hpp"
-#include "planner/rendezvous/ph/planar_path.hpp"
-#include "planner/rendezvous/ph/spatial_path.hpp"
+#include "planner/rendezvous/ph/joined_path.hpp"
 
 namespace skein {
 
@@ -28,8 +27,8 @@ class PathFollower {
   };
 
   /// The command of the next step for a vehicle at `pose` (world frame).
-  [[nodiscard]] Command command(const rendezvous::ph::PlanarPath& path, const Pose& pose);
-  [[nodiscard]] Command command(const rendezvous::ph::SpatialPath& path, const Pose& pose);
+  [[nodiscard]] Command command(const rendezvous::ph::JoinedPlanarPath& path, const Pose& pose);
+  [[nodiscard]] Command command(const rendezvous::ph::JoinedSpatialPath& path, const Pose& pose);
 
   void add_to(StateHash& hash) const { hash.add(travelled_m_); }
 

@@ -31,6 +31,7 @@ wire::RendezvousPlanner wire_options(const RendezvousOptions& options) {
   out.length_tolerance_m(options.length_tolerance_m);
   out.crossover_probability(options.crossover_probability);
   out.mutation_probability(options.mutation_probability);
+  out.max_segments(options.max_segments);
   return out;
 }
 
@@ -62,6 +63,7 @@ RendezvousOptions plain_options(const wire::RendezvousPlanner& options) {
   out.length_tolerance_m = options.length_tolerance_m();
   out.crossover_probability = options.crossover_probability();
   out.mutation_probability = options.mutation_probability();
+  out.max_segments = options.max_segments();
   return out;
 }
 

@@ -19,7 +19,7 @@ struct ProfilePoint {
 };
 
 /// The path of one plan at `points` points, by ascending arc. @throws std::invalid_argument as make_problem, for an
-/// agent that the mission does not have, a particle that is not two numbers, or less than two points.
+/// agent that the mission does not have, a particle that is that of no path, or less than two points.
 [[nodiscard]] std::vector<ProfilePoint> path_profile(const Mission& mission, const PlannedPath& path,
                                                      std::size_t points);
 

@@ -4,16 +4,21 @@
 #include <stdexcept>
 #include <string>
 
+#include "planner/rendezvous/cost/coordinates.hpp"
 #include "planner/rendezvous/point_separation.hpp"
 
 namespace skein::rendezvous {
 namespace {
 
 /// What is wrong with a representative, or nothing.
-const char* fault_of(const Representative& representative, const Interval& range_m) {
-  if (representative.particle.size() != 2) return "its particle has not two numbers";
-  for (const double m : representative.particle) {
-    if (!range_m.contains(m)) return "its particle is out of the search range";
+template <typename Space>
+const char* fault_of(const Representative& representative, const ParticipantIn<Space>& uav, std::size_t max_segments) {
+  const std::optional<ph::Controls> controls = controls_of<Space>(representative.particle);
+  if (!controls || segments_of<Space>(*controls) > max_segments) {
+    return "its particle has not the two numbers of a segment, or those of joined segments";
+  }
+  for (std::size_t i = 0; i < controls->size(); ++i) {
+    if (!range_of(uav, i).contains((*controls)[i])) return "its particle is out of the search range";
   }
   for (const double length : {representative.path_length_m, representative.own_length_m}) {
     if (!(length > 0.0) || !std::isfinite(length)) return "its length is not positive and finite";
@@ -25,7 +30,7 @@ const char* fault_of(const Representative& representative, const Interval& range
 
 template <typename Space>
 PlannerIn<Space>::PlannerIn(const Mission& mission, AgentId self, const kernel::Kernel& kernel)
-    : problem_(make_problem<Space>(mission, self, kernel)), swarm_(problem_) {}
+    : problem_(make_problem<Space>(mission, self, kernel)), run_seed_(problem_.seed), swarm_(problem_) {}
 
 template <typename Space>
 PlanRound PlannerIn<Space>::advance(std::span<const Representative> peers) {
@@ -56,7 +61,7 @@ template <typename Space>
 bool PlannerIn<Space>::can_use(const Representative& peer) const {
   const auto uav = std::ranges::find(problem_.participants, peer.agent, &Participant::id);
   return peer.agent != problem_.own().id && uav != problem_.participants.end() &&
-         fault_of(peer, uav->range_m) == nullptr;
+         fault_of(peer, *uav, max_segments()) == nullptr;
 }
 
 template <typename Space>
@@ -69,7 +74,7 @@ void PlannerIn<Space>::check(std::span<const Representative> peers) const {
     if (peer.agent == problem_.own().id) refuse("that is this planner itself");
     if (peer.agent <= before) refuse("ids must ascend");
     before = peer.agent;
-    if (const char* fault = fault_of(peer, participant_of(problem_, peer.agent).range_m)) refuse(fault);
+    if (const char* fault = fault_of(peer, participant_of(problem_, peer.agent), max_segments())) refuse(fault);
   }
 }
 
@@ -93,14 +98,20 @@ template <typename Space>
 void PlannerIn<Space>::search(std::span<const Representative> peers) {
   if (problem_.options.cooperate == 0) peers = {};
   peers_.follow(problem_, peers);
-  swarm_.advance(problem_, peers_.peers(), reference_length_m(peers));
+  swarm_.advance(problem_, peers_, reference_length_m(peers));
   report_search();
 }
 
 template <typename Space>
 void PlannerIn<Space>::align(std::span<const Representative> peers) {
+  if (may_add_segments()) {
+    const bool opened = aligner_ && aligner_->round() == 1;
+    const bool stands = standstill_.lasts(round_.representative, peers);
+    if (stands || (opened && anyone_in_trouble(round_.representative, peers))) return next_stage(peers);
+  }
   if (!aligner_) aligner_.emplace(swarm_.own_best().controls, swarm_.best().controls);
   const AlignOutcome outcome = aligner_->advance(problem_, peers);
+  if (outcome == AlignOutcome::Failed && may_add_segments()) return next_stage(peers);
   report_alignment();
   if (outcome == AlignOutcome::Agreed) {
     round_.status = PlanStatus::Ready;
@@ -116,6 +127,7 @@ void PlannerIn<Space>::align(std::span<const Representative> peers) {
 template <typename Space>
 void PlannerIn<Space>::conclude(std::span<const Representative> peers) {
   judge(peers);
+  if (round_.failed_constraint != Constraint::None && may_add_segments()) return next_stage(peers);
   Representative& out = round_.representative;
   out.violated = round_.failed_constraint;
   out.stage = PlanStage::Settled;
@@ -127,6 +139,21 @@ void PlannerIn<Space>::conclude(std::span<const Representative> peers) {
   }
 }
 
+/// Search and alignment begin again, with one more segment for those that `peers` and the own sample name.
+template <typename Space>
+void PlannerIn<Space>::next_stage(std::span<const Representative> peers) {
+  const ph::Controls before = swarm_.own_best().controls;
+  if (takes_segment(round_.representative, peers)) ++segments_;
+  ++stage_;
+  problem_.seed = seed_of_stage(run_seed_, stage_);
+  swarm_ = Search(problem_, segments_, before);
+  aligner_.reset();
+  standstill_ = {};
+  round_.failed_constraint = Constraint::None;
+  round_.failed_peer = 0;
+  report_search();
+}
+
 /// Own constraints before those that a peer names, those before separations: of this UAV first, then of any pair.
 template <typename Space>
 void PlannerIn<Space>::judge(std::span<const Representative> peers) {
@@ -134,14 +161,11 @@ void PlannerIn<Space>::judge(std::span<const Representative> peers) {
     round_.failed_constraint = constraint;
     round_.failed_peer = peer;
   };
-  const auto alone = [](Constraint violated) {
-    return violated != Constraint::Separation ? violated : Constraint::None;
-  };
   const AgentId self = problem_.own().id;
-  const Constraint own = alone(round_.representative.violated);
-  if (own != Constraint::None) return blame(own, 0);
+  const Constraint own = round_.representative.violated;
+  if (has_own_trouble(own)) return blame(own, 0);
   for (const Representative& peer : peers) {
-    if (alone(peer.violated) != Constraint::None) return blame(peer.violated, peer.agent);
+    if (has_own_trouble(peer.violated)) return blame(peer.violated, peer.agent);
   }
   if (problem_.options.cooperate == 0) return;
   std::vector<PlannedPath> paths{{self, round_.representative.particle}};
@@ -158,7 +182,7 @@ void PlannerIn<Space>::report_search() {
   out.agent = problem_.own().id;
   out.stage = PlanStage::Searching;
   out.violated = first_violation(best.terms);
-  out.particle = {best.controls.m0_m, best.controls.m1_m};
+  out.particle = particle_of(best.controls);
   out.cost = best.modified;
   out.own_length_m = swarm_.own_best().length_m;
   out.path_length_m = best.length_m;
@@ -172,7 +196,7 @@ void PlannerIn<Space>::report_alignment() {
   evaluate(problem_, aligner_->controls(), evaluation);
   out.stage = aligner_->settled() ? PlanStage::Settled : PlanStage::Aligning;
   out.violated = aligner_->violated();
-  out.particle = {evaluation.controls.m0_m, evaluation.controls.m1_m};
+  out.particle = particle_of(evaluation.controls);
   out.cost = evaluation.own;
   out.path_length_m = aligner_->length_m();
 }
@@ -182,6 +206,8 @@ void PlannerIn<Space>::add_to(StateHash& hash) const {
   swarm_.add_to(hash);
   hash.add(started_).add(aligner_.has_value()).add(round_.status).add(round_.representative.own_length_m);
   if (aligner_) aligner_->add_to(hash);
+  if (stage_ > 1) hash.add(stage_).add(segments_);
+  standstill_.add_to(hash);
 }
 
 template class PlannerIn<Planar>;

@@ -8,6 +8,8 @@
 //
 // With `equalise` 0 nothing is aligned: in round T + 1 everybody has everybody's last representative, judges all of
 // them alike at the paper's points, and is Ready with its own, or Failed if anyone's violates a constraint.
+// What would end Failed is followed by a stage of more segments instead while the option max_segments allows it
+// (stages.hpp): at once if the opening of the alignment shows a UAV without a path of its own.
 //
 // Source: papers/001, section 3.2.5 (steps 1-6) and Remark 3. Departs from source: see swarm/sub_swarm.hpp and
 // align/aligner.hpp. Complexity: a generation costs O(M (evaluation + Np peers)).
@@ -22,6 +24,7 @@
 #include "planner/core/mission/mission.hpp"
 #include "planner/rendezvous/align/aligner.hpp"
 #include "planner/rendezvous/cost/problem.hpp"
+#include "planner/rendezvous/stages.hpp"
 #include "planner/rendezvous/swarm/search.hpp"
 
 namespace skein::rendezvous {
@@ -29,7 +32,7 @@ namespace skein::rendezvous {
 enum class PlanStatus : std::uint8_t {
   Planning,  ///< rounds go on
   Ready,     ///< all live UAVs hold feasible paths, and with `equalise` of one length
-  Failed,    ///< the rounds are used up without a feasible set
+  Failed,    ///< the rounds and stages are used up without a feasible set
 };
 
 struct PlanRound {
@@ -37,7 +40,7 @@ struct PlanRound {
   PlanStatus status = PlanStatus::Planning;
   Constraint failed_constraint = Constraint::None;  ///< with Failed
   AgentId failed_peer = 0;  ///< with Failed: the peer of a separation, or the UAV that names the constraint; 0: self
-  std::uint32_t generation = 0;  ///< of the sub-swarm; stays at T while the swarm aligns
+  std::uint32_t generation = 0;  ///< of the sub-swarm; stays at T while the swarm aligns, begins again in each stage
 };
 
 /// The planner in one space: in the plane nothing is paid for the third axis.
@@ -54,8 +57,8 @@ class PlannerIn {
   /// @throws std::invalid_argument if the mission cannot be planned (cost/problem.hpp) or has no vehicle `self`.
   PlannerIn(const Mission& mission, AgentId self, const kernel::Kernel& kernel = kernel::chosen_kernel());
 
-  /// Whether advance() takes this representative: from a peer of the mission, its particle two numbers within that
-  /// peer's search range, its lengths positive and finite.
+  /// Whether advance() takes this representative: from a peer of the mission, its particle that of 1 to max_segments
+  /// segments within that peer's search range, its lengths positive and finite.
   [[nodiscard]] bool can_use(const Representative& peer) const;
 
   /// One planning round. `peers`: the representatives that all live peers published in the round before, by ascending
@@ -79,11 +82,18 @@ class PlannerIn {
   void align(std::span<const Representative> peers);
   void conclude(std::span<const Representative> peers);
   void judge(std::span<const Representative> peers);
+  void next_stage(std::span<const Representative> peers);
+  [[nodiscard]] std::size_t max_segments() const { return static_cast<std::size_t>(problem_.options.max_segments); }
+  [[nodiscard]] bool may_add_segments() const { return stage_ < max_segments(); }
   [[nodiscard]] std::optional<double> reference_length_m(std::span<const Representative> peers) const;
   void report_search();
   void report_alignment();
 
-  Problem problem_;
+  Problem problem_;  ///< its seed is that of the stage
+  std::uint64_t run_seed_;
+  std::uint32_t stage_ = 1;
+  std::size_t segments_ = 1;  ///< of the own path
+  Standstill standstill_;
   Search swarm_;
   bool started_ = false;
   PeerTableIn<Space> peers_;  ///< of the round before, kept to save walking unchanged paths again

@@ -4,16 +4,19 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "planner/rendezvous/cost/coordinates.hpp"
+
 namespace skein::rendezvous {
 
 template <typename Space>
 std::vector<PointSeparation> point_separations(const ProblemIn<Space>& problem, std::span<const PlannedPath> paths) {
   std::vector<std::vector<typename Space::Vec>> points_m;
   for (const PlannedPath& path : paths) {
-    if (path.particle.size() != 2) throw std::invalid_argument("a planned path is not two numbers");
+    const std::optional<ph::Controls> controls = controls_of<Space>(path.particle);
+    if (!controls) throw std::invalid_argument("a planned path has not the numbers of 1 to 4 segments");
     points_m.emplace_back(static_cast<std::size_t>(problem.options.check_points));
     const typename Space::Hermite& hermite = participant_of(problem, path.agent).hermite;
-    equidistant_points(hermite.path({path.particle[0], path.particle[1]}), points_m.back());
+    equidistant_points(hermite.path(*controls), points_m.back());
   }
   std::vector<PointSeparation> separations;
   for (std::size_t i = 0; i < paths.size(); ++i) {

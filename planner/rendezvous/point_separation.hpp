@@ -27,11 +27,11 @@ struct PointSeparation {
 /// The path that an agent plans to fly: its particle.
 struct PlannedPath {
   AgentId agent = 0;
-  std::vector<double> particle;  ///< (m0, m1) in metres, within the search range
+  std::vector<double> particle;  ///< of 1 to 4 segments (cost/coordinates.hpp), within the search range
 };
 
 /// Of every pair, in the order of `paths`. @throws std::invalid_argument for an agent that the problem does not have
-/// or a particle that is not two numbers.
+/// or a particle that is not one of 1 to 4 segments.
 template <typename Space>
 [[nodiscard]] std::vector<PointSeparation> point_separations(const ProblemIn<Space>& problem,
                                                              std::span<const PlannedPath> paths);

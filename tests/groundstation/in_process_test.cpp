@@ -48,6 +48,21 @@ TEST(InProcess, ThreeVehiclesArriveInFormationInSpace) {
   }
 }
 
+TEST(InProcess, JoinedSegmentsAreFlownThroughClutter) {
+  const InProcessResult result = run_in_process(scenario_of("rendezvous-clutter", 3), {});
+  EXPECT_EQ(result.exit_code, 0) << result.report.dump(2);
+  const auto& vehicles = result.report.at("vehicles");
+  ASSERT_EQ(vehicles.size(), 3U);
+  EXPECT_GE(vehicles[0].at("particle").size(), 4U);
+  EXPECT_GE(vehicles[2].at("particle").size(), 4U);
+  EXPECT_GT(result.report.at("min_clearance_m").get<double>(), 0.0);
+  for (const auto& vehicle : vehicles) {
+    EXPECT_EQ(vehicle.at("arrival_step"), vehicles[0].at("arrival_step"));
+    EXPECT_LT(vehicle.at("max_curvature_per_m"), 0.002);
+    EXPECT_EQ(vehicle.at("status"), "arrived");
+  }
+}
+
 TEST(InProcess, SameSeedSameHashOtherSeedOtherHash) {
   const auto first = run_in_process(scenario_of("rendezvous-2d", 7), {});
   const auto again = run_in_process(scenario_of("rendezvous-2d", 7), {});

@@ -101,7 +101,7 @@ struct Representative {
   std::uint32_t round = 0;
   PlanStage stage = PlanStage::Searching;
   Constraint violated = Constraint::None;  ///< the first own constraint that the particle violates
-  std::vector<double> particle;            ///< (m0, m1) in metres
+  std::vector<double> particle;            ///< (m0, m1) in metres; of joined segments with their coefficients
   double cost = 0.0;                       ///< modified cost (1 / f' of Eq. 14), in length units
   double own_length_m = 0.0;               ///< length of the particle that is best by its own fitness (Eq. 11)
   double path_length_m = 0.0;              ///< length of `particle`

@@ -14,6 +14,7 @@ std::optional<RendezvousOptions> defaults_of(std::string_view planner) {
     options.cooperate = 0;
     return options;
   }
+  options.max_segments = 1;
   options.reinitialise_probability = 0.0;
   options.velocity_limit = 0.2;
   if (planner == "dcpso-paper") return options;

@@ -43,6 +43,7 @@ struct RendezvousOptions {
   double length_tolerance_m = 350.0;      ///< largest difference of lengths of a plan that counts as a success
   double crossover_probability = 0.9;     ///< of each pair of parents (ccga)
   double mutation_probability = 0.1;      ///< of each of m0 and m1 of each child (ccga)
+  std::int32_t max_segments = 4;          ///< joined segments of a path at most (Remark 4), if fewer find no plan
 
   bool operator==(const RendezvousOptions&) const = default;
 };
@@ -56,7 +57,7 @@ struct RendezvousField {
   double max;
 };
 
-inline constexpr std::array<RendezvousField, 25> kRendezvousFields{{
+inline constexpr std::array<RendezvousField, 26> kRendezvousFields{{
     {"particles", &RendezvousOptions::particles, "", 2, 10000},
     {"generations", &RendezvousOptions::generations, "", 1, 10000},
     {"length_weight", &RendezvousOptions::length_weight, "", 0, 1},
@@ -82,6 +83,7 @@ inline constexpr std::array<RendezvousField, 25> kRendezvousFields{{
     {"length_tolerance_m", &RendezvousOptions::length_tolerance_m, "m", 0, 1e9},
     {"crossover_probability", &RendezvousOptions::crossover_probability, "", 0, 1},
     {"mutation_probability", &RendezvousOptions::mutation_probability, "", 0, 1},
+    {"max_segments", &RendezvousOptions::max_segments, "", 1, 4},
 }};
 /// The first fields, which every mission hash holds; a later one enters it where it differs from its default, so that
 /// a new option leaves the hashes of missions without it as they were.

@@ -14,10 +14,14 @@ namespace skein {
 
 /// What a stream is drawn for. Values are part of every golden result: append, never renumber.
 enum class Purpose : std::uint32_t {
-  SwarmStart = 1,  ///< initial particles of a sub-swarm; index: the particle
-  SwarmMove = 2,   ///< a particle's move; index: generation * particles + particle
-  Breeding = 3,    ///< a pair of children of a genetic population; index: generation * particles + first child
-  Test = 1000,     ///< draws of tests
+  SwarmStart = 1,   ///< initial particles of a sub-swarm; index: the particle
+  SwarmMove = 2,    ///< a particle's move; index: generation * particles + particle
+  Breeding = 3,     ///< a pair of children of a genetic population; index: generation * particles + first child
+  JoinedStart = 4,  ///< initial particles of a sub-swarm of joined paths; index: the particle
+  JoinedMove = 5,   ///< a move of such a particle; index: generation * particles + particle
+  JoinedAlone = 6,  ///< joined paths tried if the best particle fails the proof; index: the try
+  JoinedRay = 7,    ///< directions in which joined paths of a length are looked for; index: the direction
+  Test = 1000,      ///< draws of tests
 };
 
 class RandomStream {

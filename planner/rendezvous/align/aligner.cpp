@@ -6,6 +6,7 @@
 
 #include "planner/rendezvous/align/alone.hpp"
 #include "planner/rendezvous/align/level_set.hpp"
+#include "planner/rendezvous/cost/coordinates.hpp"
 
 namespace skein::rendezvous {
 namespace {
@@ -51,7 +52,8 @@ void AlignerIn<Space>::open(const Problem& problem, std::span<const Representati
   length_m_ = problem.own().hermite.length_m(own_best_);
   double longest_m = 0.0;
   for (const Representative& peer : peers) longest_m = std::max(longest_m, peer.own_length_m);
-  if (length_m_ >= kMaySetTheLength * longest_m) prove(problem);
+  const bool refuted = refute<Space>(problem, problem.own().hermite.path(own_best_)) != Constraint::None;
+  if (refuted || length_m_ >= kMaySetTheLength * longest_m) prove(problem);
   dense_ = sample_densely(problem, problem.own().hermite.path(controls_));
 }
 
@@ -109,7 +111,7 @@ void AlignerIn<Space>::look_at(const Problem& problem, std::span<const Represent
     const bool asks = peer.violated == Constraint::Separation;
     Neighbour now;
     now.id = peer.agent;
-    now.controls = {peer.particle[0], peer.particle[1]};
+    now.controls = *controls_of<Space>(peer.particle);
     now.separation_m = required_separation_m(problem.own(), uav);
     now.at_target = same_length(peer.path_length_m, target_m) && (asks || peer.violated == Constraint::None);
     now.binding = now.at_target && (peer.agent < problem.own().id || (asks && asked_ == 0));
@@ -192,7 +194,9 @@ std::uint64_t AlignerIn<Space>::task_of(double target_m) const {
   StateHash hash;
   hash.add(target_m).add(asked_ >= kPatience);
   for (const Neighbour& peer : neighbours_) {
-    if (peer.at_target) hash.add(peer.id).add(peer.binding).add(peer.controls.m0_m).add(peer.controls.m1_m);
+    if (!peer.at_target) continue;
+    hash.add(peer.id).add(peer.binding);
+    rendezvous::add_to(hash, peer.controls);
   }
   return hash.value();
 }
@@ -200,7 +204,7 @@ std::uint64_t AlignerIn<Space>::task_of(double target_m) const {
 template <typename Space>
 void AlignerIn<Space>::add_to(StateHash& hash) const {
   hash.add(round_).add(outcome_).add(settled_).add(feasible_alone_).add(violated_).add(violated_peer_);
-  for (const ph::Controls& m : {own_best_, group_best_, controls_}) hash.add(m.m0_m).add(m.m1_m);
+  for (const ph::Controls& m : {own_best_, group_best_, controls_}) rendezvous::add_to(hash, m);
   hash.add(length_m_).add(asked_).add(raised_).add(failed_task_);
 }
 

@@ -1,6 +1,7 @@
 // Agreement of the swarm on one common path length, in rounds, each UAV deciding for itself from what all published.
 //
-//   round 1   publish the length of the best own path, proved (align/alone) if it may be the longest of the swarm
+//   round 1   publish the length of the best own path, proved (align/alone) if it may be the longest of the swarm or
+//             is refuted at once
 //   round r   target = the longest length published in round r - 1, one's own included
 //             - not at the target: choose the cheapest path of that length (align/choice) that is proved feasible and
 //               clear of all UAVs at the target, else clear of those that have the right of way
@@ -50,6 +51,8 @@ class AlignerIn {
   /// One round. `peers`: checked representatives of the round before, by ascending id.
   Outcome advance(const Problem& problem, std::span<const Representative> peers);
 
+  /// Rounds so far. After the first, what all published names those that have no path of their own.
+  [[nodiscard]] std::int32_t round() const { return round_; }
   [[nodiscard]] bool settled() const { return settled_; }
   [[nodiscard]] const ph::Controls& controls() const { return controls_; }
   [[nodiscard]] double length_m() const { return length_m_; }

@@ -1,8 +1,10 @@
 #include "planner/rendezvous/align/alone.hpp"
 
 #include <algorithm>
-#include <array>
 #include <vector>
+
+#include "planner/core/random/random_stream.hpp"
+#include "planner/rendezvous/cost/coordinates.hpp"
 
 namespace skein::rendezvous {
 namespace {
@@ -10,6 +12,8 @@ namespace {
 constexpr std::int32_t kGridNodes = 48;
 constexpr int kHalvings = 12;
 constexpr int kMaxMoves = 400;
+/// Joined paths tried instead of a grid.
+constexpr std::uint64_t kTries = 4000;
 
 template <typename Space>
 Constraint violation(const ProblemIn<Space>& problem, const ph::Controls& controls) {
@@ -26,9 +30,9 @@ struct Node {
   ph::Controls controls;
 };
 
-/// The cheapest node of a coarse grid that passes, or `start` with what it violates.
+/// Nodes of a coarse grid over (m0, m1).
 template <typename Space>
-AlonePath cheapest_on_grid(const ProblemIn<Space>& problem, const ph::Controls& start, Constraint violated) {
+std::vector<Node> grid_nodes(const ProblemIn<Space>& problem) {
   const Interval& range = problem.own().range_m;
   std::vector<Node> nodes;
   for (std::int32_t i = 0; i < kGridNodes; ++i) {
@@ -38,6 +42,30 @@ AlonePath cheapest_on_grid(const ProblemIn<Space>& problem, const ph::Controls& 
       nodes.push_back({cost_of(problem, controls), controls});
     }
   }
+  return nodes;
+}
+
+/// Random paths of the segments of `like` that are not refuted at once.
+template <typename Space>
+std::vector<Node> joined_nodes(const ProblemIn<Space>& problem, const ph::Controls& like) {
+  std::vector<Node> nodes;
+  for (std::uint64_t k = 0; k < kTries; ++k) {
+    RandomStream stream(problem.seed, problem.own().id, Purpose::JoinedAlone, k);
+    ph::Controls controls = like;
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      const Interval range = start_range(problem.own(), i);
+      controls[i] = range.clamp(stream.uniform(range.min, range.max));
+    }
+    const typename Space::Path path = problem.own().hermite.path(controls);
+    if (refute<Space>(problem, path) == Constraint::None) nodes.push_back({bare_cost(problem, path), controls});
+  }
+  return nodes;
+}
+
+/// The cheapest of many paths that passes, or `start` with what it violates.
+template <typename Space>
+AlonePath cheapest(const ProblemIn<Space>& problem, const ph::Controls& start, Constraint violated) {
+  std::vector<Node> nodes = start.is_joined() ? joined_nodes(problem, start) : grid_nodes(problem);
   std::ranges::stable_sort(nodes, {}, &Node::cost);
   for (const Node& node : nodes) {
     if (violation(problem, node.controls) == Constraint::None) return {node.controls, 0.0, Constraint::None};
@@ -45,19 +73,33 @@ AlonePath cheapest_on_grid(const ProblemIn<Space>& problem, const ph::Controls& 
   return {start, 0.0, violated};
 }
 
+/// Steps in (m0, m1) in all eight directions, and in each interior coordinate both ways.
+std::vector<ph::Controls> steps_of(const ph::Controls& like) {
+  std::vector<ph::Controls> steps{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+  for (std::size_t i = 2; i < like.size(); ++i) {
+    for (const double way : {1.0, -1.0}) {
+      ph::Controls step;
+      step[i] = way;
+      steps.push_back(step);
+    }
+  }
+  return steps;
+}
+
 template <typename Space>
 void lower_cost(const ProblemIn<Space>& problem, AlonePath& best) {
-  const Interval& range = problem.own().range_m;
-  double step_m = range.width() / kGridNodes;
+  const std::vector<ph::Controls> steps = steps_of(best.controls);
+  double shrunk = 1.0;  // steps, as a part of the first ones
   double cost = cost_of(problem, best.controls);
-  constexpr std::array<std::array<int, 2>, 8> kNeighbours{
-      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
   int moves = 0;
   for (int halvings = 0; halvings < kHalvings && moves < kMaxMoves;) {
     bool moved = false;
-    for (const auto& d : kNeighbours) {
-      const ph::Controls next{range.clamp(best.controls.m0_m + d[0] * step_m),
-                              range.clamp(best.controls.m1_m + d[1] * step_m)};
+    for (const ph::Controls& d : steps) {
+      ph::Controls next = best.controls;
+      for (std::size_t i = 0; i < next.size(); ++i) {
+        const Interval range = range_of(problem.own(), i);
+        next[i] = range.clamp(next[i] + d[i] * (range.width() / kGridNodes * shrunk));
+      }
       const double next_cost = cost_of(problem, next);
       if (!(next_cost < cost) || violation(problem, next) != Constraint::None) continue;
       best.controls = next;
@@ -66,7 +108,7 @@ void lower_cost(const ProblemIn<Space>& problem, AlonePath& best) {
       ++moves;
     }
     if (!moved) {
-      step_m *= 0.5;
+      shrunk *= 0.5;
       ++halvings;
     }
   }
@@ -77,7 +119,7 @@ void lower_cost(const ProblemIn<Space>& problem, AlonePath& best) {
 template <typename Space>
 AlonePath best_alone(const ProblemIn<Space>& problem, const ph::Controls& start) {
   AlonePath best{start, 0.0, violation(problem, start)};
-  if (best.violated != Constraint::None) best = cheapest_on_grid(problem, start, best.violated);
+  if (best.violated != Constraint::None) best = cheapest(problem, start, best.violated);
   if (best.violated == Constraint::None) lower_cost(problem, best);
   best.length_m = problem.own().hermite.length_m(best.controls);
   return best;

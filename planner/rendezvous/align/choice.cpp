@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/rendezvous/align/joined_level_set.hpp"
 #include "planner/rendezvous/align/level_set.hpp"
 #include "planner/rendezvous/cost/cost.hpp"
 
@@ -11,23 +12,22 @@ namespace skein::rendezvous {
 namespace {
 
 constexpr std::int32_t kGridNodes = 64;
+/// Rays from each joined start in the second look, as a multiple of those in the first.
+constexpr std::size_t kSecondLook = 4;
 
-template <typename Space>
 struct Candidate {
   double cost;
   ph::Controls controls;
-  typename Space::Path path;
 };
 
 template <typename Space>
-std::vector<Candidate<Space>> by_cost(const ProblemIn<Space>& problem, const std::vector<ph::Controls>& controls) {
-  std::vector<Candidate<Space>> candidates;
+std::vector<Candidate> by_cost(const ProblemIn<Space>& problem, const std::vector<ph::Controls>& controls) {
+  std::vector<Candidate> candidates;
   candidates.reserve(controls.size());
   for (const ph::Controls& m : controls) {
-    const typename Space::Path path = problem.own().hermite.path(m);
-    candidates.push_back({bare_cost(problem, path), m, path});
+    candidates.push_back({bare_cost(problem, problem.own().hermite.path(m)), m});
   }
-  std::ranges::stable_sort(candidates, {}, &Candidate<Space>::cost);
+  std::ranges::stable_sort(candidates, {}, &Candidate::cost);
   return candidates;
 }
 
@@ -40,12 +40,13 @@ void note(ChoiceIn<Space>& choice, Constraint fails, AgentId peer) {
 
 /// Puts a candidate where it belongs; what a cheaper one took stays.
 template <typename Space>
-void place(const ProblemIn<Space>& problem, const Candidate<Space>& candidate, View<NeighbourIn<Space>> neighbours,
+void place(const ProblemIn<Space>& problem, const Candidate& candidate, View<NeighbourIn<Space>> neighbours,
            ChoiceIn<Space>& choice) {
-  if (const Constraint fails = refute(problem, candidate.path); fails != Constraint::None) {
+  const typename Space::Path path = problem.own().hermite.path(candidate.controls);
+  if (const Constraint fails = refute<Space>(problem, path); fails != Constraint::None) {
     return note(choice, fails, 0);
   }
-  ChosenIn<Space> chosen{candidate.controls, sample_densely(problem, candidate.path)};
+  ChosenIn<Space> chosen{candidate.controls, sample_densely<Space>(problem, path)};
   if (const Constraint fails = check_alone(problem, chosen.dense); fails != Constraint::None) {
     return note(choice, fails, 0);
   }
@@ -62,10 +63,28 @@ void place(const ProblemIn<Space>& problem, const Candidate<Space>& candidate, V
 template <typename Space>
 void choose_among(const ProblemIn<Space>& problem, const std::vector<ph::Controls>& controls,
                   View<NeighbourIn<Space>> neighbours, ChoiceIn<Space>& choice) {
-  for (const Candidate<Space>& candidate : by_cost(problem, controls)) {
+  for (const Candidate& candidate : by_cost(problem, controls)) {
     place(problem, candidate, neighbours, choice);
     if (choice.clear) return;
   }
+}
+
+/// For joined segments: near the starts; then farther rays from each, since a grid has too many dimensions.
+template <typename Space>
+ChoiceIn<Space> choose_joined(const ProblemIn<Space>& problem, std::span<const ph::Controls> starts, double target_m,
+                              View<NeighbourIn<Space>> neighbours) {
+  ChoiceIn<Space> choice;
+  const auto rays = static_cast<std::size_t>(problem.options.equalise_directions);
+  for (const auto& [first, n] : {std::pair{std::size_t{0}, rays}, std::pair{rays, kSecondLook * rays}}) {
+    std::vector<ph::Controls> near;
+    for (const ph::Controls& from : starts) {
+      const auto found = on_joined_rays(problem, from, target_m, first, n);
+      near.insert(near.end(), found.begin(), found.end());
+    }
+    choose_among(problem, near, neighbours, choice);
+    if (choice.clear) break;
+  }
+  return choice;
 }
 
 }  // namespace
@@ -82,6 +101,9 @@ AgentId conflict(const DensePathIn<Space>& dense, View<NeighbourIn<Space>> neigh
 template <typename Space>
 ChoiceIn<Space> choose(const ProblemIn<Space>& problem, std::span<const ph::Controls> starts, double target_m,
                        View<NeighbourIn<Space>> neighbours) {
+  if (std::ranges::any_of(starts, &ph::Controls::is_joined)) {
+    return choose_joined(problem, starts, target_m, neighbours);
+  }
   ChoiceIn<Space> choice;
   std::vector<ph::Controls> near;
   for (const ph::Controls& from : starts) {

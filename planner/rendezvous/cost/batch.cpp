@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "planner/rendezvous/cost/coordinates.hpp"
+
 namespace skein::rendezvous {
 namespace {
 
@@ -24,7 +26,7 @@ void walk_whole(const kernel::Kernel& kernel, const kernel::LaneTable& paths, st
 }
 
 template <typename Space>
-void put_path(const typename Space::Path& path, kernel::LaneTable& paths) {
+void put_path(const typename Space::Piece& path, kernel::LaneTable& paths) {
   using Rows = typename Space::PathRows;
   paths.row(Rows::Length)[0] = path.length_m();
   for (std::size_t axis = 0; axis < Rows::kDimensions; ++axis) {
@@ -100,13 +102,18 @@ void PeerTableIn<Space>::follow(const ProblemIn<Space>& problem, std::span<const
   }
   std::vector<std::size_t> changed;
   for (std::size_t lane = 0; lane < count_; ++lane) {
-    const ph::Controls controls{peers[lane].particle[0], peers[lane].particle[1]};
+    const ph::Controls controls = *controls_of<Space>(peers[lane].particle);
     if (controls == controls_[lane]) continue;
     controls_[lane] = controls;
-    changed.push_back(lane);
+    if (controls.is_joined()) {
+      walk_joined(problem, lane);
+    } else {
+      changed.push_back(lane);
+    }
   }
   if (changed.empty()) return;
-  if (2 * changed.size() > count_) {  // walking all in place takes less than copying
+  if (2 * changed.size() > count_ && std::ranges::none_of(controls_, &ph::Controls::is_joined)) {
+    // walking all in place takes less than copying
     changed.resize(count_);
     std::iota(changed.begin(), changed.end(), std::size_t{0});
   }
@@ -135,6 +142,26 @@ void PeerTableIn<Space>::walk(const ProblemIn<Space>& problem, std::span<const s
   PointTableIn<Space> walked(points_of(problem), count);
   walk_whole(*problem.kernel, paths, count, walked);
   for (std::size_t i = 0; i < count; ++i) points_.copy_lane(walked, i, lanes[i]);
+}
+
+template <typename Space>
+void PeerTableIn<Space>::walk_joined(const ProblemIn<Space>& problem, std::size_t lane) {
+  std::vector<typename Space::Vec> points_m(points_.points());
+  equidistant_points(participant_of(problem, ids_[lane]).hermite.path(controls_[lane]), points_m);
+  points_.copy_from(lane, points_m);
+}
+
+template <typename Space>
+std::vector<PeerPathIn<Space>> PeerTableIn<Space>::paths() const {
+  std::vector<PeerPathIn<Space>> paths;
+  for (std::size_t lane = 0; lane < count_; ++lane) {
+    PeerPathIn<Space>& path = paths.emplace_back();
+    path.id = ids_[lane];
+    path.separation_m = separation_m_[lane];
+    path.points_m.resize(points_.points());
+    points_.copy_to(lane, path.points_m);
+  }
+  return paths;
 }
 
 template <typename Space>
@@ -192,11 +219,12 @@ void BatchIn<Space>::walk(const ProblemIn<Space>& problem, std::span<const std::
 template <typename Space>
 void walk_in_parts(const kernel::Kernel& kernel, const typename Space::Path& path,
                    std::span<typename Space::Vec> points_m) {
+  if (path.pieces().size() > 1) return equidistant_points(path, points_m);
   constexpr std::size_t kParts = kernel::kLaneMultiple;
   const std::size_t part = (points_m.size() + kParts - 1) / kParts;
   kernel::LaneTable paths(Space::PathRows::Count, kParts);
   PointTableIn<Space> points(part, kParts);
-  put_path<Space>(path, paths);
+  put_path<Space>(path.pieces()[0], paths);
   paths.pad(1);
   double* first = paths.row(Space::PathRows::First);
   for (std::size_t lane = 0; lane < kParts; ++lane) first[lane] = static_cast<double>(part * lane);
@@ -207,10 +235,10 @@ void walk_in_parts(const kernel::Kernel& kernel, const typename Space::Path& pat
 template class PointTableIn<Planar>;
 template class PeerTableIn<Planar>;
 template class BatchIn<Planar>;
-template void walk_in_parts<Planar>(const kernel::Kernel&, const ph::PlanarPath&, std::span<Vec2>);
+template void walk_in_parts<Planar>(const kernel::Kernel&, const Planar::Path&, std::span<Vec2>);
 template class PointTableIn<Spatial>;
 template class PeerTableIn<Spatial>;
 template class BatchIn<Spatial>;
-template void walk_in_parts<Spatial>(const kernel::Kernel&, const ph::SpatialPath&, std::span<Vec3>);
+template void walk_in_parts<Spatial>(const kernel::Kernel&, const Spatial::Path&, std::span<Vec3>);
 
 }  // namespace skein::rendezvous

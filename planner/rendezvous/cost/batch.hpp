@@ -65,15 +65,19 @@ template <typename Space>
 class PeerTableIn {
  public:
   void assign(View<PeerPathIn<Space>> peers, std::size_t points);
-  /// The paths of representatives, those that changed since the last call walked in one call of the kernel.
+  /// The paths of representatives, those that changed since the last call walked in one call of the kernel, but those
+  /// of joined segments one by one.
   /// @pre can_use() of each
   void follow(const ProblemIn<Space>& problem, std::span<const Representative> peers);
   /// Valid until the next assign() or follow().
   [[nodiscard]] kernel::Peers peers() const { return {points_.view(), separation_m_.data(), count_}; }
+  /// The same as plain paths. @pre the last call was follow()
+  [[nodiscard]] std::vector<PeerPathIn<Space>> paths() const;
 
  private:
   void resize(std::size_t points, std::size_t peers);
   void walk(const ProblemIn<Space>& problem, std::span<const std::size_t> lanes);
+  void walk_joined(const ProblemIn<Space>& problem, std::size_t lane);
 
   PointTableIn<Space> points_;
   std::vector<double> separation_m_;
@@ -104,7 +108,7 @@ class BatchIn {
   kernel::LaneTable verdicts_;
 };
 
-/// The points of equidistant_points() along one path, parts of it in lanes; at least 2 of them.
+/// The points of equidistant_points() along one path, parts of it in lanes unless it is joined; at least 2 of them.
 template <typename Space>
 void walk_in_parts(const kernel::Kernel& kernel, const typename Space::Path& path,
                    std::span<typename Space::Vec> points_m);

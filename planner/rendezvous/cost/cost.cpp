@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/rendezvous/cost/batch.hpp"
+#include "planner/rendezvous/cost/scalar_cost.hpp"
 
 namespace skein::rendezvous {
 namespace {
@@ -59,6 +60,7 @@ void set_cooperation(const ProblemIn<Space>& problem, bool collides, std::option
 
 template <typename Space>
 void evaluate(const ProblemIn<Space>& problem, const ph::Controls& controls, EvaluationIn<Space>& into) {
+  if (controls.is_joined()) return evaluate_scalar(problem, controls, into);
   into.controls = controls;
   BatchIn<Space> batch(problem, 1);
   batch.evaluate(problem, {&into, 1});
@@ -77,8 +79,8 @@ void modify(const ProblemIn<Space>& problem, View<PeerPathIn<Space>> peers, std:
   set_cooperation(problem, meets, reference_length_m, evaluation);
 }
 
-template double bare_cost(const ProblemIn<Planar>&, const ph::PlanarPath&);
-template double bare_cost(const ProblemIn<Spatial>&, const ph::SpatialPath&);
+template double bare_cost(const ProblemIn<Planar>&, const Planar::Path&);
+template double bare_cost(const ProblemIn<Spatial>&, const Spatial::Path&);
 template void set_cooperation(const ProblemIn<Planar>&, bool, std::optional<double>, EvaluationIn<Planar>&);
 template void set_cooperation(const ProblemIn<Spatial>&, bool, std::optional<double>, EvaluationIn<Spatial>&);
 template void evaluate(const ProblemIn<Planar>&, const ph::Controls&, EvaluationIn<Planar>&);

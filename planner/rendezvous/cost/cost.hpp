@@ -44,6 +44,10 @@ template <typename Space>
 [[nodiscard]] double modified_cost(const CostTerms& terms, double length_weight);
 /// The first constraint that a path violates, in the order of the enumeration; length counts as none.
 [[nodiscard]] Constraint first_violation(const CostTerms& terms);
+/// Whether a constraint is violated by a path alone, whatever the others fly: any but None and Separation.
+[[nodiscard]] constexpr bool has_own_trouble(Constraint violated) {
+  return violated != Constraint::None && violated != Constraint::Separation;
+}
 
 /// A candidate with everything that its cost needs.
 template <typename Space>

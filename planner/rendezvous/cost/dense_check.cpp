@@ -5,8 +5,6 @@
 
 #include "planner/core/geometry/closest_approach.hpp"
 #include "planner/rendezvous/cost/batch.hpp"
-#include "planner/rendezvous/ph/curvature_bound.hpp"
-#include "planner/rendezvous/ph/torsion_bound.hpp"
 
 namespace skein::rendezvous {
 namespace {
@@ -47,12 +45,12 @@ bool clear_of(const Terrain& terrain, double least_m, const DensePathIn<Spatial>
   return true;
 }
 
-bool flyable(const ProblemIn<Planar>& problem, const ph::PlanarPath& path, Constraint& fails) {
+bool flyable(const ProblemIn<Planar>& problem, const Planar::Path& path, Constraint& fails) {
   fails = Constraint::Curvature;
   return ph::curvature_within(path, problem.max_curvature_per_m);
 }
 
-bool flyable(const ProblemIn<Spatial>& problem, const ph::SpatialPath& path, Constraint& fails) {
+bool flyable(const ProblemIn<Spatial>& problem, const Spatial::Path& path, Constraint& fails) {
   fails = Constraint::Curvature;
   if (!ph::curvature_within(path, problem.max_curvature_per_m)) return false;
   fails = Constraint::Torsion;
@@ -96,7 +94,7 @@ Constraint check_alone(const ProblemIn<Space>& problem, const typename Space::Pa
 template <typename Space>
 Constraint refute(const ProblemIn<Space>& problem, const typename Space::Path& path) {
   if (Constraint fails{}; !flyable(problem, path, fails)) return fails;
-  const std::int32_t last = problem.options.check_points - 1;
+  const std::int32_t last = (problem.options.check_points - 1) * static_cast<std::int32_t>(path.pieces().size());
   Constraint found = Constraint::None;
   for (std::int32_t k = 0; k <= last; ++k) {
     const typename Space::Vec here = path.position(static_cast<double>(k) / static_cast<double>(last));

@@ -19,14 +19,15 @@ bool is_level(const VehicleSpec& vehicle, const Pose& slot) {
   return vehicle.start.climb_rad == 0.0 && slot.climb_rad == 0.0 && vehicle.start.position_m.z() == slot.position_m.z();
 }
 
-ph::Hermite hermite_of(Planar, const std::string& name, const Pose& start, const Pose& slot) {
+Planar::Hermite hermite_of(Planar, const std::string& name, const Pose& start, const Pose& slot) {
   require(start.climb_rad == 0.0 && slot.climb_rad == 0.0, name + " climbs; allowed: climb 0");
   require(start.position_m.z() == slot.position_m.z(), name + " starts at another altitude than its slot");
-  return {{start.position_m.head<2>(), start.heading_rad}, {slot.position_m.head<2>(), slot.heading_rad}};
+  return Planar::Hermite({start.position_m.head<2>(), start.heading_rad},
+                         {slot.position_m.head<2>(), slot.heading_rad});
 }
 
-ph::SpatialHermite hermite_of(Spatial, const std::string& /*name*/, const Pose& start, const Pose& slot) {
-  return {start, slot};
+Spatial::Hermite hermite_of(Spatial, const std::string& /*name*/, const Pose& start, const Pose& slot) {
+  return Spatial::Hermite(start, slot);
 }
 
 template <typename Space>

@@ -1,4 +1,4 @@
-// The two spaces that a rendezvous is planned in: what a point, a path and an interpolant are there.
+// The two spaces that a rendezvous is planned in: what a point, a path, its pieces and an interpolant are there.
 //
 // Cost, swarm and alignment are written once over a `Space` and instantiated for both, so that a planar problem pays
 // nothing for the third axis. The header of each declares the templates; aliases without `In` name the planar ones.
@@ -9,15 +9,15 @@
 #include <type_traits>
 
 #include "planner/rendezvous/kernel/kernel.hpp"
-#include "planner/rendezvous/ph/hermite.hpp"
-#include "planner/rendezvous/ph/spatial_hermite.hpp"
+#include "planner/rendezvous/ph/joined_hermite.hpp"
 
 namespace skein::rendezvous {
 
 struct Planar {
   using Vec = Vec2;
-  using Path = ph::PlanarPath;
-  using Hermite = ph::Hermite;
+  using Piece = ph::PlanarPath;
+  using Path = ph::JoinedPlanarPath;
+  using Hermite = ph::JoinedHermite;
   using EndRows = kernel::Ends;
   using PathRows = kernel::Paths;
   static constexpr bool kSpatial = false;
@@ -26,8 +26,9 @@ struct Planar {
 
 struct Spatial {
   using Vec = Vec3;
-  using Path = ph::SpatialPath;
-  using Hermite = ph::SpatialHermite;
+  using Piece = ph::SpatialPath;
+  using Path = ph::JoinedSpatialPath;
+  using Hermite = ph::SpatialJoinedHermite;
   using EndRows = kernel::SpatialEnds;
   using PathRows = kernel::SpatialPaths;
   static constexpr bool kSpatial = true;

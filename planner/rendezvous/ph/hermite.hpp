@@ -12,6 +12,7 @@
 #pragma once
 
 #include "planner/core/geometry/types.hpp"
+#include "planner/rendezvous/ph/controls.hpp"
 #include "planner/rendezvous/ph/planar_path.hpp"
 
 namespace skein::rendezvous::ph {
@@ -21,14 +22,6 @@ struct PlanarPose {
   double heading_rad = 0.0;
 
   bool operator==(const PlanarPose&) const = default;
-};
-
-/// The control variables of a path: lengths (m) of dr/dq at start and end.
-struct Controls {
-  double m0_m = 0.0;
-  double m1_m = 0.0;
-
-  bool operator==(const Controls&) const = default;
 };
 
 class Hermite {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "planner/core/geometry/frames.hpp"
+#include "planner/rendezvous/ph/vector_square.hpp"
 
 namespace skein::rendezvous::ph {
 namespace {
@@ -19,21 +20,6 @@ Axes axes_of(const Vec3& chord, double length_m) {
   const Vec3 left = level > kVertical ? Vec3(-along.y() / level, along.x() / level, 0.0) : Vec3(Vec3::UnitY());
   const Vec3 up = along.cross(left).normalized();
   return {along, up.cross(along), up};
-}
-
-/// a with 2 a1 a - |a|^2 e1 = v and a1 not negative; of -e1 the one along the second axis.
-Vec3 root(const Vec3& v) {
-  const double modulus = v.norm();
-  if (modulus == 0.0) return Vec3::Zero();
-  const double larger = std::sqrt(0.5 * (modulus + std::fabs(v[0])));
-  if (v[0] >= 0.0) return {larger, 0.5 * v[1] / larger, 0.5 * v[2] / larger};
-  const double across = std::sqrt(v[1] * v[1] + v[2] * v[2]);
-  if (across == 0.0) return {0.0, larger, 0.0};
-  return {0.5 * across / larger, larger * v[1] / across, larger * v[2] / across};
-}
-
-Vec3 square(const Vec3& a) {
-  return 2.0 * a[0] * a - a.squaredNorm() * Vec3::UnitX();
 }
 
 }  // namespace

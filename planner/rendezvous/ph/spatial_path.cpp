@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "planner/rendezvous/ph/gauss_legendre.hpp"
+#include "planner/rendezvous/ph/vector_square.hpp"
 
 namespace skein::rendezvous::ph {
 namespace {
@@ -14,11 +15,6 @@ constexpr double kPlane = 1e-12;
 
 double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
-}
-
-/// (x u y* + y u x*) / 2 of pure quaternions, u the first axis: half the change of r' with both factors.
-Vec3 product(const Vec3& x, const Vec3& y) {
-  return {x[0] * y[0] - x[1] * y[1] - x[2] * y[2], x[0] * y[1] + x[1] * y[0], x[0] * y[2] + x[2] * y[0]};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct Flown {
 };
 
 /// Flies from `start` until the follower says that the path lies behind; 10000 steps at most.
-inline Flown fly(const rendezvous::ph::PlanarPath& path, const Pose& start) {
+inline Flown fly(const rendezvous::ph::JoinedPlanarPath& path, const Pose& start) {
   VehicleSpec spec = kSpec;
   spec.start = start;
   PathFollower follower(spec, kStep_s);

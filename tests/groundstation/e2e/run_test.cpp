@@ -39,7 +39,7 @@ TEST(Run, MainJobArrivesInFormation) {
 
 TEST(Run, BothCarriersAndASecondRunGiveTheSameHash) {
   const unsigned seeds = seeds_or("SKEIN_E2E_SEEDS", 2);
-  for (const std::string name : {"rendezvous-2d", "rendezvous-2d-b", "rendezvous-3d"}) {
+  for (const std::string name : {"rendezvous-2d", "rendezvous-2d-b", "rendezvous-3d", "rendezvous-clutter"}) {
     for (unsigned seed = 0; seed < seeds; ++seed) {
       const ScratchFolder out;
       const std::vector<std::string> flags{"--seed", std::to_string(seed)};

@@ -43,6 +43,7 @@ inline Mission mission() {
   m.planner.cooperate = 0;
   m.planner.length_tolerance_m = 351.0;
   m.planner.mutation_probability = 0.0625;
+  m.planner.max_segments = 3;
   return m;
 }
 

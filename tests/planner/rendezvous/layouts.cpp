@@ -64,6 +64,16 @@ Mission layout_b(std::uint64_t seed) {
   return mission;
 }
 
+Mission layout_clutter(std::uint64_t seed) {
+  Mission mission = open_field(seed);
+  mission.name = "layout-clutter";
+  mission.zones = {circle_km(12.0, 13.0, 1.0),          circle_km(25.0, 10.0, 1.0),
+                   circle_km(3.0, 16.0, 1.0),           circle_km(15.0, -8.0, 4.0),
+                   rectangle_km(8.0, 10.0, -12.0, 3.0), rectangle_km(8.0, 10.0, 15.0, 30.0),
+                   rectangle_km(15.0, 17.0, 9.0, 26.0)};
+  return mission;
+}
+
 Mission open_space(std::uint64_t seed) {
   Mission mission = open_field(seed);
   mission.name = "open-space";

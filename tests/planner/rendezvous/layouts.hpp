@@ -17,6 +17,11 @@ namespace skein::test {
 [[nodiscard]] Mission layout_a(std::uint64_t seed);
 [[nodiscard]] Mission layout_b(std::uint64_t seed);
 
+/// The open field with two gates: walls at x 8 .. 10 open over y 3 .. 15, a wall at x 15 .. 17 open below y 9, a circle
+/// (15, -8) r 4 under it, and circles of r 1 at (12, 13), (25, 10), (3, 16). UAV 1 and 3 would have to swing there and
+/// back more often than a single segment can (deploy/scenarios/rendezvous-clutter.yaml).
+[[nodiscard]] Mission layout_clutter(std::uint64_t seed);
+
 /// In space, without zones: heights 2.3, 2 and 3.3 km, climbs pi/12, pi/8 and -pi/7, slots at 3 km, formation heading
 /// pi/9; torsion at most 2 per km.
 [[nodiscard]] Mission open_space(std::uint64_t seed);

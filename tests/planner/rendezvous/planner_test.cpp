@@ -96,7 +96,7 @@ TEST(Planner, FailsTogetherAndNamesTheConstraint) {
   Mission mission = test::layout_a(1);
   mission.planner.equalise_rounds = 5;
   mission.zones.push_back(test::circle_km(-1.0, 10.0, 0.2));  // round the start of UAV 2
-  const test::SwarmRun run = test::run_swarm(mission);
+  const test::SwarmRun run = test::run_swarm(mission, 400);
   ASSERT_TRUE(run.all(PlanStatus::Failed));
   EXPECT_EQ(run.last[1].failed_constraint, Constraint::Obstacle);
   EXPECT_EQ(run.last[1].failed_peer, 0U);
@@ -126,6 +126,9 @@ TEST(Planner, BrokenRepresentativesAreRefused) {
   using Peers = std::vector<Representative>;
   expect_refused([](Peers& p) { p[0].particle.pop_back(); }, "two numbers");
   expect_refused([](Peers& p) { p[0].particle = {1.0, 2.0, 3.0}; }, "two numbers");
+  expect_refused([](Peers& p) { p[0].particle.resize(10, 1.0); }, "joined segments");
+  expect_refused([](Peers& p) { p[0].particle.insert(p[0].particle.end(), {1e4, 4.0}); }, "search range");
+  expect_refused([](Peers& p) { p[0].particle.insert(p[0].particle.end(), {-1.0, 0.0}); }, "search range");
   expect_refused([](Peers& p) { p[1].particle[0] = -1.0; }, "search range");
   expect_refused([](Peers& p) { p[1].particle[1] = 1e9; }, "search range");
   expect_refused([](Peers& p) { p[1].particle[1] = std::numeric_limits<double>::quiet_NaN(); }, "search range");

@@ -111,6 +111,7 @@ TEST(PlannersByName, ReferenceByModifiedCostPullsTheSwarmsAway) {
 TEST(PlannersByName, AnInfeasiblePlanFailsForAllAndIsNamed) {
   for (const std::string_view name : kUnequal) {
     Mission mission = named(name, test::layout_a(1));
+    mission.planner.max_segments = 1;
     mission.zones.push_back(test::circle_km(-1.0, 10.0, 0.2));  // round the start of UAV 2
     const test::SwarmRun run = test::run_swarm(mission);
     ASSERT_TRUE(run.all(PlanStatus::Failed)) << name;

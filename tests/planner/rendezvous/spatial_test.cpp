@@ -14,7 +14,7 @@
 namespace skein::rendezvous {
 namespace {
 
-using Path = ph::SpatialPath;
+using Path = Spatial::Path;
 
 ph::Controls random_controls(const ParticipantIn<Spatial>& uav, RandomStream& stream) {
   return {stream.uniform(uav.range_m.min, uav.range_m.max), stream.uniform(uav.range_m.min, uav.range_m.max)};

@@ -159,6 +159,14 @@ TEST(Scenario, VehiclesAreByAscendingIdWhateverTheOrderOfTheFile) {
   EXPECT_EQ(mission.vehicles[1].start.heading_rad, 1.0);
 }
 
+TEST(Scenario, ClutterHasThePosesOfTheOpenField) {
+  const Mission mission = load(kScenarioDir + "rendezvous-clutter.yaml").mission;
+  const Mission open = load(kScenarioDir + "rendezvous-2d.yaml").mission;
+  EXPECT_EQ(mission.vehicles, open.vehicles);
+  EXPECT_EQ(mission.zones.size(), 7U);
+  EXPECT_EQ(mission.planner, open.planner);
+}
+
 TEST(Scenario, EveryPlannerOptionHasItsKey) {
   for (const RendezvousField& field : kRendezvousFields) {
     const std::string value =

@@ -26,6 +26,7 @@ TEST(RendezvousOptions, PlannersDifferAsDocumented) {
   RendezvousOptions paper;
   paper.name = "dcpso-paper";
   paper.equalise = 0;
+  paper.max_segments = 1;
   paper.reinitialise_probability = 0.0;
   paper.velocity_limit = 0.2;
   EXPECT_EQ(*defaults_of("dcpso-paper"), paper);

@@ -13,7 +13,7 @@ ph::Controls random_controls(const Participant& uav, RandomStream& stream) {
   return {stream.uniform(uav.range_m.min, uav.range_m.max), stream.uniform(uav.range_m.min, uav.range_m.max)};
 }
 
-double sampled_clearance_m(const Problem& problem, const ph::PlanarPath& path) {
+double sampled_clearance_m(const Problem& problem, const Planar::Path& path) {
   double least = 1e9;
   for (int i = 0; i <= 20000; ++i) {
     for (const PlanarZone& zone : problem.zones) least = std::min(least, distance_m(zone, path.position(i / 20000.0)));

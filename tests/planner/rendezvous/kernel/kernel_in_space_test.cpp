@@ -52,7 +52,7 @@ TEST(KernelInSpace, PathsAreThoseOfHermiteBitForBit) {
     scalar().spatial.judge(paths.view(), nothing, batch.lanes, verdicts.table());
     scalar().spatial.measure(batch.ends.view(), batch.m.row(0), batch.m.row(1), batch.lanes, lengths.row(0));
     for (std::size_t lane = 0; lane < batch.lanes; ++lane) {
-      const ph::SpatialPath path = batch.hermites[lane].path(batch.controls[lane]);
+      const ph::SpatialPath path = batch.hermites[lane].path(batch.controls[lane]).pieces()[0];
       expect_equal(paths, lane, path);
       EXPECT_EQ(verdicts.row(kernel::Verdicts::Energy)[lane], path.elastic_energy_per_m());
       EXPECT_EQ(lengths.row(0)[lane], batch.hermites[lane].length_m(batch.controls[lane]));
@@ -68,7 +68,7 @@ TEST(KernelInSpace, WalkedPointsAreThoseOfTheConvergedReference) {
     PointTableIn<Spatial> walked(kPoints, batch.lanes);
     scalar().spatial.walk(paths_of(batch).view(), {kPoints - 1, kPoints}, batch.lanes, walked.table());
     for (std::size_t lane = 0; lane < batch.lanes; ++lane) {
-      const ph::SpatialPath path = batch.hermites[lane].path(batch.controls[lane]);
+      const ph::SpatialPath path = batch.hermites[lane].path(batch.controls[lane]).pieces()[0];
       for (std::size_t k = 0; k < kPoints; ++k) {
         const double at_m = path.length_m() * static_cast<double>(k) / static_cast<double>(kPoints - 1);
         worst_m = std::max(worst_m, (walked.at(lane, k) - path.position_at(at_m)).norm());
@@ -121,7 +121,7 @@ TEST(KernelInSpace, ConstraintsAreJudgedAsByTheClosedForms) {
     const Interval& range = problem.own().range_m;
     EvaluationIn<Spatial> of;
     evaluate(problem, {stream.uniform(range.min, range.max), stream.uniform(range.min, range.max)}, of);
-    const Extremes e = extremes_of(problem, problem.own().hermite.path(of.controls));
+    const Extremes e = extremes_of(problem, problem.own().hermite.path(of.controls).pieces()[0]);
     const CostTerms& t = of.terms;
     const double keep_m = problem.keep_out_m;
     expect(0, t.unflyable, e.curvature > problem.max_curvature_per_m, e.curvature - problem.max_curvature_per_m, seed);

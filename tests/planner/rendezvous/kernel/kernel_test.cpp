@@ -31,7 +31,7 @@ TEST(Kernel, PathsAreThoseOfHermiteBitForBit) {
     kernel::LaneTable verdicts(kernel::Verdicts::Count, batch.lanes);
     steps().judge(paths.view(), kernel::Rules{}, batch.lanes, verdicts.table());
     for (std::size_t lane = 0; lane < batch.lanes; ++lane) {
-      const ph::PlanarPath path = batch.hermites[lane].path(batch.controls[lane]);
+      const ph::PlanarPath path = batch.hermites[lane].path(batch.controls[lane]).pieces()[0];
       EXPECT_EQ(paths.row(kernel::Paths::Length)[lane], path.length_m());
       EXPECT_EQ(verdicts.row(kernel::Verdicts::Energy)[lane], path.elastic_energy_per_m());
       for (std::size_t k = 0; k < 5; ++k) {
@@ -53,7 +53,7 @@ double worst_miss_m(std::uint64_t batches, std::size_t points, std::uint64_t see
     PointTable walked(points, batch.lanes);
     steps().walk(paths_of(batch).view(), {points - 1, points}, batch.lanes, walked.table());
     for (std::size_t lane = 0; lane < batch.lanes; ++lane) {
-      const ph::PlanarPath path = batch.hermites[lane].path(batch.controls[lane]);
+      const ph::PlanarPath path = batch.hermites[lane].path(batch.controls[lane]).pieces()[0];
       for (std::size_t k = 0; k < points; ++k) {
         const double at_m = path.length_m() * static_cast<double>(k) / static_cast<double>(points - 1);
         worst = std::max(worst, (walked.at(lane, k) - path.position_at(at_m)).norm());
@@ -73,7 +73,7 @@ TEST(Kernel, FewAndManyPointsAreAsExact) {
 TEST(Kernel, APathWalkedInPartsIsTheSamePath) {
   for (std::uint64_t index = 0; index < 30; ++index) {
     const test::RandomBatch<Planar> batch = test::random_batch(4, index, 1);
-    const ph::PlanarPath path = batch.hermites[0].path(batch.controls[0]);
+    const ph::PlanarPath path = batch.hermites[0].path(batch.controls[0]).pieces()[0];
     for (const std::size_t points : {2U, 9U, 100U, 1000U}) {
       std::vector<Vec2> walked(points);
       walk_in_parts<Planar>(scalar(), path, walked);
@@ -121,7 +121,7 @@ TEST(Kernel, ZonesAreJudgedAsByTheClosedForms) {
     const Interval& range = problem.own().range_m;
     Evaluation e;
     evaluate(problem, {stream.uniform(range.min, range.max), stream.uniform(range.min, range.max)}, e);
-    const auto least = chord_distances_m(problem, problem.own().hermite.path(e.controls));
+    const auto least = chord_distances_m(problem, problem.own().hermite.path(e.controls).pieces()[0]);
     for (const auto& [distance, term] : {std::pair(least[0], e.terms.obstacle), std::pair(least[1], e.terms.no_fly)}) {
       if (std::fabs(distance - problem.keep_out_m) < 1e-6) continue;  // a tie, decided by rounding
       EXPECT_EQ(term > 0.0, distance < problem.keep_out_m) << "seed " << seed << ", distance " << distance;
@@ -139,7 +139,7 @@ TEST(Kernel, CurvatureIsJudgedAtTheCheckPoints) {
     const Interval& range = problem.own().range_m;
     Evaluation e;
     evaluate(problem, {stream.uniform(range.min, range.max), stream.uniform(range.min, range.max)}, e);
-    const ph::PlanarPath path = problem.own().hermite.path(e.controls);
+    const ph::PlanarPath path = problem.own().hermite.path(e.controls).pieces()[0];
     double largest = 0.0;
     for (int k = 0; k < 50; ++k) largest = std::max(largest, std::fabs(path.curvature(k / 49.0)));
     EXPECT_EQ(e.terms.unflyable > 0.0, largest > problem.max_curvature_per_m) << "seed " << seed;

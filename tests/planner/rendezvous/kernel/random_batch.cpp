@@ -12,9 +12,7 @@ namespace {
 using rendezvous::Planar;
 using rendezvous::Spatial;
 using rendezvous::ph::Controls;
-using rendezvous::ph::Hermite;
 using rendezvous::ph::PlanarPose;
-using rendezvous::ph::SpatialHermite;
 
 /// One number in four lies at the slow end of the range, where the speed rises steeply.
 double draw_control(RandomStream& stream, double chord_m) {
@@ -26,15 +24,15 @@ double draw_angle(RandomStream& stream) {
   return stream.uniform(-math::kPi, math::kPi);
 }
 
-Hermite random_hermite(Planar, RandomStream& stream) {
+Planar::Hermite random_hermite(Planar, RandomStream& stream) {
   const auto place = [&] { return Vec2(stream.uniform(-2e4, 2e4), stream.uniform(-2e4, 2e4)); };
   const PlanarPose start{place(), draw_angle(stream)};
   const PlanarPose end{place(), draw_angle(stream)};
-  return {start, end};
+  return Planar::Hermite(start, end);
 }
 
 /// One in four lies level, in a plane.
-SpatialHermite random_hermite(Spatial, RandomStream& stream) {
+Spatial::Hermite random_hermite(Spatial, RandomStream& stream) {
   const bool level = stream.below(4) == 0;
   const auto draw = [&] {
     Pose pose;
@@ -45,7 +43,7 @@ SpatialHermite random_hermite(Spatial, RandomStream& stream) {
   };
   const Pose start = draw();
   const Pose end = draw();
-  return {start, end};
+  return Spatial::Hermite(start, end);
 }
 
 }  // namespace
