@@ -6,7 +6,7 @@
 //   circle      the chord comes nearer to the centre than r: an end does, or, between them, cross^2 < r^2 |chord|^2
 //   rectangle   an end comes nearer than the distance d to be kept, or a corner is nearer to the chord, or the chord
 //               crosses the open rectangle (separating axes)
-// A pack of which no lane's chord has a bounding box that reaches the zone's goes on to the next zone.
+// A zone is left out for blocks of chords, and then for chords, whose bounding box reaches it in no lane of the pack.
 //
 // Source: papers/001, Eq. 11 and 12. Departs from source: the chords are checked as well.
 // Complexity: O(Np zones) a pack.
@@ -57,9 +57,9 @@ struct Extent {
   Extent(Number<Pack> a, Number<Pack> b)
       : low{Lanes::least(a.re, b.re), Lanes::least(a.im, b.im)},
         high{Lanes::most(a.re, b.re), Lanes::most(a.im, b.im)} {}
-  /// Whether it meets the box about (x, y).
-  auto meets(double x, double y, double half_x, double half_y) const {
-    return (low.re <= x + half_x) & (high.re >= x - half_x) & (low.im <= y + half_y) & (high.im >= y - half_y);
+  auto meets(const Rectangle& box) const {
+    return (low.re <= box.x_m + box.half_x_m) & (high.re >= box.x_m - box.half_x_m) &
+           (low.im <= box.y_m + box.half_y_m) & (high.im >= box.y_m - box.half_y_m);
   }
 };
 
@@ -119,22 +119,50 @@ struct Findings {
   bool known(Verdicts::Row kind) const { return Lanes::every(violated[kind]); }
 };
 
+/// Neighbouring points of a pack of paths: zones beyond the box of all of them need no look at each chord.
 template <typename Lanes>
-void check_zones(Number<typename Lanes::Pack> a, Number<typename Lanes::Pack> b, const Rules& rules,
-                 Findings<Lanes>& findings) {
-  const Extent<Lanes> extent(a, b);
+struct Block {
+  using Point = Number<typename Lanes::Pack>;
+  static constexpr std::size_t kPoints = 8;
+
+  Point points[kPoints];
+  std::size_t count = 0;
+
+  Extent<Lanes> extent() const {
+    Extent<Lanes> box(points[0], points[1]);
+    for (std::size_t k = 2; k < count; ++k) {
+      box.low = {Lanes::least(box.low.re, points[k].re), Lanes::least(box.low.im, points[k].im)};
+      box.high = {Lanes::most(box.high.re, points[k].re), Lanes::most(box.high.im, points[k].im)};
+    }
+    return box;
+  }
+};
+
+/// Notes where chords of the block enter a zone within the box about (x, y).
+template <typename Lanes, typename Enters>
+void check_chords(const Block<Lanes>& block, const Rectangle& box, Findings<Lanes>& findings, const Enters& enters) {
+  for (std::size_t k = 1; k < block.count && !findings.known(box.kind); ++k) {
+    const auto near = Extent<Lanes>(block.points[k - 1], block.points[k]).meets(box);
+    if (!Lanes::any(near)) continue;
+    findings.note(box.kind, near & enters(chord_between<Lanes>(block.points[k - 1], block.points[k])));
+  }
+}
+
+template <typename Lanes>
+void check_zones(const Block<Lanes>& block, const Rules& rules, Findings<Lanes>& findings) {
+  const Extent<Lanes> extent = block.extent();
   for (std::size_t i = 0; i < rules.circle_count; ++i) {
     const Circle& circle = rules.circles[i];
-    const auto near = extent.meets(circle.x_m, circle.y_m, circle.reach_m, circle.reach_m);
-    if (!Lanes::any(near) || findings.known(circle.kind)) continue;
-    findings.note(circle.kind, near & enters<Lanes>(chord_between<Lanes>(a, b), circle));
+    const Rectangle box{circle.x_m, circle.y_m, circle.reach_m, circle.reach_m, circle.kind};
+    if (!Lanes::any(extent.meets(box))) continue;
+    check_chords(block, box, findings, [&](const auto& chord) { return enters<Lanes>(chord, circle); });
   }
   const double keep_m = rules.keep_out_m;
   for (std::size_t i = 0; i < rules.rectangle_count; ++i) {
-    const Rectangle& box = rules.rectangles[i];
-    const auto near = extent.meets(box.x_m, box.y_m, box.half_x_m + keep_m, box.half_y_m + keep_m);
-    if (!Lanes::any(near) || findings.known(box.kind)) continue;
-    findings.note(box.kind, near & enters<Lanes>(chord_between<Lanes>(a, b), box, keep_m * keep_m));
+    const Rectangle& inner = rules.rectangles[i];
+    const Rectangle box{inner.x_m, inner.y_m, inner.half_x_m + keep_m, inner.half_y_m + keep_m, inner.kind};
+    if (!Lanes::any(extent.meets(box))) continue;
+    check_chords(block, box, findings, [&](const auto& chord) { return enters<Lanes>(chord, inner, keep_m * keep_m); });
   }
 }
 
@@ -151,18 +179,20 @@ void judge(ConstTable paths, const Rules& rules, std::size_t lanes, Table verdic
     for (std::size_t k = 0; k < 3; ++k) powers.bend[k] = row(Paths::Bend + k);
     Lanes::store(verdicts.data + Verdicts::Energy * verdicts.stride + l, energy_of<Lanes>(powers));
     Findings<Lanes> findings;
-    Number<Pack> before = start;
+    Block<Lanes> block;
     for (std::size_t k = 0; k < rules.place_count; ++k) {
       const double q = rules.places[k];
       const Pack place = Lanes::all(q);
       const Pack sigma = quartic<Lanes>(path + Paths::Speed * stride, stride, place);
       const Pack bend = row(Paths::Bend) + q * (row(Paths::Bend + 1) + q * row(Paths::Bend + 2));
       findings.note(Verdicts::Unflyable, 2.0 * Lanes::magnitude(bend) > rules.max_curvature_per_m * (sigma * sigma));
-      if (k == 0) continue;
       const Number<Pack> here{start.re + q * quartic<Lanes>(path + Paths::Place * stride, stride, place),
                               start.im + q * quartic<Lanes>(path + (Paths::Place + 5) * stride, stride, place)};
-      check_zones<Lanes>(before, here, rules, findings);
-      before = here;
+      block.points[block.count++] = here;
+      if (block.count < Block<Lanes>::kPoints && k + 1 < rules.place_count) continue;
+      if (block.count > 1) check_zones(block, rules, findings);
+      block.points[0] = here;  // the next block begins where this one ends
+      block.count = 1;
     }
     for (std::size_t r = 0; r < Verdicts::kPlanarConstraints; ++r) {
       Lanes::store(verdicts.data + r * verdicts.stride + l, findings.violated[r] ? Lanes::all(1.0) : Lanes::all(0.0));

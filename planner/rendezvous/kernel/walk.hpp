@@ -163,19 +163,25 @@ void walk_packs(const double* path, std::size_t stride, const Stretch& stretch, 
   }
 }
 
+/// `packs` packs, at most kPacks, all in turn.
 template <typename Rows, typename Lanes, std::size_t kPacks>
-void walk_in_turn(ConstTable paths, const Stretch& stretch, std::size_t lanes, std::size_t l, Table points_m) {
-  constexpr std::size_t kTogether = kPacks * Lanes::kWidth;
-  for (; l + kTogether - Lanes::kWidth < lanes; l += kTogether) {
-    walk_packs<Rows, Lanes, kPacks>(paths.data + l, paths.stride, stretch, {points_m.data + l, points_m.stride});
-  }
-  if constexpr (kPacks > 1) walk_in_turn<Rows, Lanes, kPacks - 1>(paths, stretch, lanes, l, points_m);
+void walk_together(std::size_t packs, const double* path, std::size_t stride, const Stretch& stretch, Table points_m) {
+  if (packs == kPacks) return walk_packs<Rows, Lanes, kPacks>(path, stride, stretch, points_m);
+  if constexpr (kPacks > 1) walk_together<Rows, Lanes, kPacks - 1>(packs, path, stride, stretch, points_m);
 }
 
 /// `Rows`: Paths or SpatialPaths.
 template <typename Rows, typename Lanes>
 void walk(ConstTable paths, const Stretch& stretch, std::size_t lanes, Table points_m) {
-  walk_in_turn<Rows, Lanes, Lanes::kInterleaved>(paths, stretch, lanes, 0, points_m);
+  constexpr std::size_t kMost = Lanes::kInterleaved;
+  for (std::size_t l = 0; l < lanes;) {
+    const std::size_t packs = (lanes - l + Lanes::kWidth - 1) / Lanes::kWidth;
+    const std::size_t turns =
+        (packs + kMost - 1) / kMost;  // of about as many packs each: one alone would wait for itself
+    const std::size_t now = (packs + turns - 1) / turns;
+    walk_together<Rows, Lanes, kMost>(now, paths.data + l, paths.stride, stretch, {points_m.data + l, points_m.stride});
+    l += now * Lanes::kWidth;
+  }
 }
 
 }  // namespace
