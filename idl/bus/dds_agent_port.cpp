@@ -21,7 +21,7 @@ PeerInfo self(const DdsConfig& config) {
 struct DdsAgentPort::Impl {
   explicit Impl(const DdsConfig& config)
       : book(self(config)),
-        participant(config, book, wake),
+        participant(config, {config.swarm, sense_partition(config.swarm, config.id)}, book, wake),
         publisher(participant.publisher(config.swarm)),
         subscriber(participant.subscriber(config.swarm)),
         own_subscriber(participant.subscriber(sense_partition(config.swarm, config.id))),
@@ -63,7 +63,7 @@ void DdsAgentPort::take(std::vector<AgentInbound>& into) {
 }
 
 std::vector<std::uint64_t> DdsAgentPort::matched() const {
-  return impl_->book.matched_nonces();
+  return impl_->book.matched_nonces(monotonic_s());
 }
 
 int DdsAgentPort::wake_fd() const {

@@ -116,8 +116,8 @@ class Writer final : private fdds::DataWriterListener {
 
   void on_publication_matched(fdds::DataWriter*, const fdds::PublicationMatchedStatus& status) override {
     const ProcessKey process = process_key(eprosima::fastrtps::rtps::iHandle2GUID(status.last_subscription_handle));
-    if (process == own_) return;
-    book_.matched(process, endpoint_bit(kTopic, true), status.current_count_change > 0);
+    if (process == own_ || status.current_count_change < 0) return;  // who goes is told by discovery
+    book_.matched(process, endpoint_bit(kTopic, true));
     wake_.ring();
   }
 
@@ -172,8 +172,8 @@ class Reader final : private fdds::DataReaderListener {
 
   void on_subscription_matched(fdds::DataReader*, const fdds::SubscriptionMatchedStatus& status) override {
     const ProcessKey process = process_key(eprosima::fastrtps::rtps::iHandle2GUID(status.last_publication_handle));
-    if (process == own_) return;
-    book_.matched(process, endpoint_bit(kTopic, false), status.current_count_change > 0);
+    if (process == own_ || status.current_count_change < 0) return;  // who goes is told by discovery
+    book_.matched(process, endpoint_bit(kTopic, false));
     wake_.ring();
   }
 

@@ -1,6 +1,8 @@
 #include "idl/bus/dds_participant.hpp"
 
 #include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
+#include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
+#include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
 #include <algorithm>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <stdexcept>
@@ -22,6 +24,8 @@ namespace skein::bus {
 namespace {
 
 using eprosima::fastrtps::rtps::ParticipantDiscoveryInfo;
+using eprosima::fastrtps::rtps::ReaderDiscoveryInfo;
+using eprosima::fastrtps::rtps::WriterDiscoveryInfo;
 
 constexpr std::uint32_t kMaxDomain = 232;  // the ports of higher ones do not fit 16 bits
 constexpr std::size_t kMaxSwarmName = 64;
@@ -52,6 +56,10 @@ Entity* require_made(Entity* entity, const char* what) {
 
 }  // namespace
 
+double monotonic_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 ProcessKey process_key(const eprosima::fastrtps::rtps::GUID_t& guid) {
   ProcessKey key;
   std::copy_n(guid.guidPrefix.value, key.size(), key.begin());
@@ -75,7 +83,30 @@ void Participant::Listener::on_participant_discovery(fdds::DomainParticipant*, P
   wake_.ring();
 }
 
-Participant::Participant(const DdsConfig& config, PeerBook& book, const Wake& wake) : listener_(book, wake) {
+template <typename Endpoint>
+void Participant::Listener::note(const Endpoint& endpoint, bool own_writes, bool is_there) {
+  const auto spec = std::ranges::find_if(kTopics, [&](const TopicSpec& known) {
+    return endpoint.topicName() == known.name.data() && endpoint.typeName() == known.type.data();
+  });
+  if (spec == kTopics.end()) return;
+  const auto is_own = [&](const std::string& name) {
+    return std::ranges::find(partitions_, name) != partitions_.end();
+  };
+  if (std::ranges::none_of(endpoint.m_qos.m_partition.getNames(), is_own)) return;
+  book_.found(process_key(endpoint.guid()), endpoint_bit(spec->id, own_writes), is_there, monotonic_s());
+  wake_.ring();
+}
+
+void Participant::Listener::on_subscriber_discovery(fdds::DomainParticipant*, ReaderDiscoveryInfo&& info) {
+  note(info.info, true, info.status != ReaderDiscoveryInfo::REMOVED_READER);
+}
+
+void Participant::Listener::on_publisher_discovery(fdds::DomainParticipant*, WriterDiscoveryInfo&& info) {
+  note(info.info, false, info.status != WriterDiscoveryInfo::REMOVED_WRITER);
+}
+
+Participant::Participant(const DdsConfig& config, std::vector<std::string> partitions, PeerBook& book, const Wake& wake)
+    : listener_(std::move(partitions), book, wake) {
   require_legal(config);
   auto* factory = fdds::DomainParticipantFactory::get_instance();
   factory->load_profiles();  // before the defaults are read, or they would overwrite what apply() sets

@@ -9,12 +9,17 @@
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "idl/bus/dds_qos.hpp"
 #include "idl/bus/inbox.hpp"
 #include "idl/bus/peer_book.hpp"
 
 namespace skein::bus {
+
+/// Seconds of the steady clock.
+[[nodiscard]] double monotonic_s();
 
 [[nodiscard]] ProcessKey process_key(const eprosima::fastrtps::rtps::GUID_t& guid);
 
@@ -36,9 +41,10 @@ class Deadline {
 
 class Participant {
  public:
-  /// Tells `book` of processes that come and go, and rings `wake` then; both must outlive it.
+  /// Tells `book` of processes and endpoints that come and go, and rings `wake` then; both must outlive it.
+  /// @param partitions those that this process has endpoints in; endpoints in others are not its counterparts
   /// @throws std::invalid_argument, std::runtime_error as DdsAgentPort does.
-  Participant(const DdsConfig& config, PeerBook& book, const Wake& wake);
+  Participant(const DdsConfig& config, std::vector<std::string> partitions, PeerBook& book, const Wake& wake);
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
@@ -54,11 +60,20 @@ class Participant {
  private:
   class Listener final : public fdds::DomainParticipantListener {
    public:
-    Listener(PeerBook& book, const Wake& wake) : book_(book), wake_(wake) {}
+    Listener(std::vector<std::string> partitions, PeerBook& book, const Wake& wake)
+        : partitions_(std::move(partitions)), book_(book), wake_(wake) {}
     void on_participant_discovery(fdds::DomainParticipant*,
                                   eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
+    void on_subscriber_discovery(fdds::DomainParticipant*,
+                                 eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
+    void on_publisher_discovery(fdds::DomainParticipant*,
+                                eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
 
    private:
+    template <typename Endpoint>
+    void note(const Endpoint& endpoint, bool own_writes, bool is_there);
+
+    const std::vector<std::string> partitions_;
     PeerBook& book_;
     const Wake& wake_;
   };

@@ -12,13 +12,19 @@ PeerInfo self(const DdsConfig& config) {
   return {Role::World, config.swarm, kWorldId, config.nonce, config.wire_version, config.start_stamp_ns};
 }
 
+std::vector<std::string> partitions_of(const DdsConfig& config, std::span<const AgentId> agents) {
+  std::vector<std::string> partitions{config.swarm};
+  for (const AgentId agent : agents) partitions.push_back(sense_partition(config.swarm, agent));
+  return partitions;
+}
+
 }  // namespace
 
 // Members end in the opposite order: endpoints, then the participant, then what its listeners use.
 struct DdsWorldPort::Impl {
   Impl(const DdsConfig& config, std::span<const AgentId> agents)
       : book(self(config)),
-        participant(config, book, wake),
+        participant(config, partitions_of(config, agents), book, wake),
         publisher(participant.publisher(config.swarm)),
         subscriber(participant.subscriber(config.swarm)),
         beacon(participant, subscriber, book, wake, inbox),
@@ -72,7 +78,7 @@ void DdsWorldPort::take(std::vector<WorldInbound>& into) {
 }
 
 std::vector<std::uint64_t> DdsWorldPort::matched() const {
-  return impl_->book.matched_nonces();
+  return impl_->book.matched_nonces(monotonic_s());
 }
 
 int DdsWorldPort::wake_fd() const {

@@ -35,23 +35,35 @@ void PeerBook::gone(const ProcessKey& process) {
   peers_.erase(process);
 }
 
-void PeerBook::matched(const ProcessKey& process, std::uint16_t endpoint, bool is_matched) {
+void PeerBook::found(const ProcessKey& process, std::uint16_t endpoint, bool is_there, double now_s) {
   const std::lock_guard lock(mutex_);
-  if (is_matched) {
+  if (is_there) {
     Peer& peer = peers_[process];
-    peer.endpoints = static_cast<std::uint16_t>(peer.endpoints | endpoint);
-  } else if (const auto found = peers_.find(process); found != peers_.end()) {
-    found->second.endpoints = static_cast<std::uint16_t>(found->second.endpoints & ~endpoint);
+    if ((peer.found & endpoint) != 0) return;
+    peer.found = static_cast<std::uint16_t>(peer.found | endpoint);
+    peer.found_s = now_s;
+  } else if (const auto known = peers_.find(process); known != peers_.end()) {
+    known->second.found = static_cast<std::uint16_t>(known->second.found & ~endpoint);
+    known->second.matched = static_cast<std::uint16_t>(known->second.matched & ~endpoint);
   }
 }
 
-std::vector<std::uint64_t> PeerBook::matched_nonces() const {
+void PeerBook::matched(const ProcessKey& process, std::uint16_t endpoint) {
+  const std::lock_guard lock(mutex_);
+  if (const auto known = peers_.find(process); known != peers_.end()) {
+    known->second.matched = static_cast<std::uint16_t>(known->second.matched | (endpoint & known->second.found));
+  }
+}
+
+std::vector<std::uint64_t> PeerBook::matched_nonces(double now_s) const {
   std::vector<std::uint64_t> nonces;
   const std::lock_guard lock(mutex_);
   for (const auto& [process, peer] : peers_) {
     if (!peer.info || !is_counted(own_.role, peer.info->role) || peer.info->swarm != own_.swarm) continue;
     const std::uint16_t expected = expected_matches(own_.role, peer.info->role);
-    if ((peer.endpoints & expected) == expected) nonces.push_back(peer.info->nonce);
+    if ((peer.found & expected) != expected) continue;
+    const bool named = (peer.matched & expected) == expected;
+    if (named || now_s - peer.found_s >= kSettled_s) nonces.push_back(peer.info->nonce);
   }
   std::ranges::sort(nonces);
   return nonces;

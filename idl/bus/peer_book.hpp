@@ -1,7 +1,11 @@
 // Which processes are there, and which of their endpoints are matched with this process's.
 //
 // A process is matched when its USER_DATA is known and every endpoint that the two roles must have in common
-// (expected_matches) is. Fed by the listeners of the DDS bus, read by the owner of the port; safe from any thread.
+// (expected_matches) is. That an endpoint exists is told exactly; that it is matched is told by callbacks which DDS may
+// mix up: Fast DDS 2.9.1 calls them from several threads with one status that all of them write, so of two endpoints
+// matched at the same moment one may be named twice and the other never. Hence an endpoint that exists also counts as
+// matched when kSettled_s have passed: the thread that finds it matches it at once, and names it or not.
+// Fed by the listeners of the DDS bus, read by the owner of the port; safe from any thread.
 // Complexity: O(processes) a question, O(log processes) a notice.
 #pragma once
 
@@ -17,6 +21,9 @@
 
 namespace skein::bus {
 
+/// How long after the last discovery the endpoints of a process count as matched, whoever was named.
+inline constexpr double kSettled_s = 1.0;
+
 /// What all endpoints of a process have in common: the prefix of their GUIDs.
 using ProcessKey = std::array<std::uint8_t, 12>;
 
@@ -28,11 +35,14 @@ class PeerBook {
   void discovered(const ProcessKey& process, std::optional<PeerInfo> info);
   /// It ended, or its lease ran out.
   void gone(const ProcessKey& process);
-  /// An endpoint of this process (endpoint_bit) was matched with or lost its match in that process.
-  void matched(const ProcessKey& process, std::uint16_t endpoint, bool is_matched);
+  /// The counterpart of an endpoint of this process (endpoint_bit) was found in that process at `now_s`, or is gone.
+  void found(const ProcessKey& process, std::uint16_t endpoint, bool is_there, double now_s);
+  /// DDS says that an endpoint of this process was matched in that process.
+  void matched(const ProcessKey& process, std::uint16_t endpoint);
 
   /// Nonces, ascending, of the agents and (for an agent) the world whose endpoints are all matched with this process's.
-  [[nodiscard]] std::vector<std::uint64_t> matched_nonces() const;
+  /// @param now_s of the same steady clock as in found()
+  [[nodiscard]] std::vector<std::uint64_t> matched_nonces(double now_s) const;
 
   /// Why this process must not take part, in one line, or nothing. For an agent: a world of its swarm has another wire
   /// version. For a world: another world of its swarm started earlier (the lower nonce, if at the same time).
@@ -43,7 +53,9 @@ class PeerBook {
  private:
   struct Peer {
     std::optional<PeerInfo> info;
-    std::uint16_t endpoints = 0;
+    std::uint16_t found = 0;    ///< endpoint_bit()s
+    std::uint16_t matched = 0;  ///< likewise
+    double found_s = 0.0;       ///< when the last one was
   };
 
   PeerInfo own_;
