@@ -1,9 +1,17 @@
 #include "simworld/lockstep/admission.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace skein {
+namespace {
+
+constexpr std::size_t kNamed = 12;  ///< obstacles in one line at most
+
+}  // namespace
 
 Admission::Admission(std::uint64_t run, std::uint64_t world_nonce, std::vector<AgentId> ids, double silence_s)
     : run_(run), world_nonce_(world_nonce), ids_(std::move(ids)), silence_s_(silence_s) {}
@@ -66,6 +74,37 @@ std::vector<AgentId> Admission::missing(std::span<const std::uint64_t> world_mat
     if (!complete(id, world_matched)) ids.push_back(id);
   }
   return ids;
+}
+
+bool Admission::lacks_mission() const {
+  return std::ranges::any_of(holders_, [](const auto& entry) { return !entry.second.has_mission; });
+}
+
+std::string Admission::obstacles(std::span<const std::uint64_t> world_matched) const {
+  std::vector<std::string> found;
+  const auto blind = [&](const std::string& who, const std::string& whom) {
+    found.push_back(who + " is not matched with " + whom);
+  };
+  for (const AgentId id : ids_) {
+    const auto held = holders_.find(id);
+    const std::string name = fmt::format("agent {}", id);
+    if (held == holders_.end()) {
+      found.push_back(name + " was not heard");
+      continue;
+    }
+    const Holder& self = held->second;
+    if (!self.has_mission) found.push_back(name + " lacks the mission");
+    if (!std::ranges::binary_search(world_matched, self.nonce)) blind("the world", name);
+    if (!std::ranges::binary_search(self.matched, world_nonce_)) blind(name, "the world");
+    for (const auto& [other, peer] : holders_) {
+      if (other != id && !std::ranges::binary_search(self.matched, peer.nonce)) {
+        blind(name, fmt::format("agent {}", other));
+      }
+    }
+  }
+  const std::size_t more = found.size() - std::min(found.size(), kNamed);
+  found.resize(found.size() - more);
+  return fmt::format("{}{}", fmt::join(found, ", "), more > 0 ? fmt::format(", and {} more", more) : "");
 }
 
 std::optional<std::vector<RosterEntry>> Admission::roster(std::span<const std::uint64_t> world_matched) const {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "planner/core/lockstep/samples.hpp"
@@ -36,6 +37,11 @@ class Admission {
   [[nodiscard]] std::optional<std::vector<RosterEntry>> roster(std::span<const std::uint64_t> world_matched) const;
   /// Ids that nobody holds yet, or whose holder is not matched: what a start-up time-out names.
   [[nodiscard]] std::vector<AgentId> missing(std::span<const std::uint64_t> world_matched) const;
+  /// Whether an agent has introduced itself without the mission: it may have got lost.
+  [[nodiscard]] bool lacks_mission() const;
+  /// What keeps the run from starting, in one line: who was not heard, who lacks the mission, which pairs are not
+  /// matched in which direction; at most a dozen of them. Empty if nothing does.
+  [[nodiscard]] std::string obstacles(std::span<const std::uint64_t> world_matched) const;
   /// The refusals that came up since the last call.
   [[nodiscard]] std::vector<Refusal> take_refused();
 

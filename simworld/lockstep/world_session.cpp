@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kWaitingTick_s = 0.5;
 constexpr double kResend_s = 1.0;
+constexpr double kMission_s = 2.0;  ///< an agent that lacks the mission for so long gets it again
 constexpr double kGoodbye_s = 2.0;  ///< how long the final tick waits for its answers
 constexpr double kAway_s = 1.0;     ///< between two polls: the world itself was stopped, not the agents
 
@@ -130,10 +131,13 @@ void WorldSession::poll_waiting(double now_s) {
   if (admission_.closed()) return start(now_s);
   if (now_s - times_.created_s > options_.startup_timeout_s) {
     const std::string missing = fmt::format("{}", fmt::join(admission_.missing(world_matched_), ", "));
-    return refuse_start(fmt::format("start-up timed out after {} s: {} of {} agents matched; missing: {}",
-                                    options_.startup_timeout_s, matched(), mission_.vehicles.size(), missing),
+    return refuse_start(fmt::format("start-up timed out after {} s: {} of {} agents matched; missing: {} ({})",
+                                    options_.startup_timeout_s, matched(), mission_.vehicles.size(), missing,
+                                    admission_.obstacles(world_matched_)),
                         now_s);
   }
+  if (!admission_.lacks_mission()) all_have_mission_s_ = now_s;
+  if (now_s - std::max(all_have_mission_s_, mission_sent_s_) >= kMission_s) publish_mission(now_s);
   if (now_s - last_sent_s_ >= kWaitingTick_s) publish_tick(now_s);
 }
 
@@ -249,6 +253,7 @@ void WorldSession::open(const Tick& tick, double now_s) {
 
 void WorldSession::publish_mission(double now_s) {
   send(mission_, topics_.mission, now_s);
+  mission_sent_s_ = now_s;
 }
 
 void WorldSession::publish_tick(double now_s) {

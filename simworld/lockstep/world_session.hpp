@@ -1,7 +1,8 @@
 // The world's end of the lockstep protocol, over any carrier: admits agents, opens rounds, repeats what got lost, and
 // names who is gone. Receive, convert, decide (simworld/lockstep/run.hpp), convert, send.
 //
-// While it waits it publishes a tick of phase `waiting` every 0.5 s. A round advances when every live agent has closed
+// While it waits it publishes a tick of phase `waiting` every 0.5 s, and the mission again every 2 s while an agent
+// that introduced itself lacks it. A round advances when every live agent has closed
 // it. An unanswered tick is sent again every second; an agent that leaves it unanswered for the deadline, says goodbye,
 // or whose process is known to have ended, is dropped with the next tick. Faults on purpose hold a tick until their
 // effect is confirmed. Time comes from the caller, in seconds of any steady clock.
@@ -134,6 +135,8 @@ class WorldSession {
   std::vector<Fault> awaited_;                    ///< ordered, effect not yet confirmed
   double awaited_since_s_ = 0.0;
   double last_sent_s_ = -1e9;
+  double mission_sent_s_ = -1e9;
+  double all_have_mission_s_ = -1e9;  ///< when last no agent that had introduced itself lacked it
   std::optional<double> last_poll_s_;
   double away_s_ = 0.0;  ///< time since the open tick in which nobody polled: it counts against no agent
   std::vector<std::uint64_t> world_matched_;

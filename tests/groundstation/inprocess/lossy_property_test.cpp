@@ -43,5 +43,35 @@ TEST(LossyBus, AllOfThemTogetherChangeNothing) {
   }
 }
 
+// The mission is latched, but a loss of what was latched must heal as well.
+TEST(LossyBus, AMissionThatGetsLostIsPublishedAgain) {
+  const Scenario scenario = paper_scenario(3);
+  const InProcessResult calm = run_with(scenario, {});
+  for (const std::size_t losses : {1U, 3U}) {
+    std::size_t lost = 0;
+    const InProcessResult rough = run_with(scenario, [&](bus::Transit transit) {
+      const bool first = std::holds_alternative<wire::Mission>(transit.sample) && transit.to == 2 && lost < losses;
+      if (first) ++lost;
+      return first ? std::vector<bus::Transit>{} : std::vector{std::move(transit)};
+    });
+    EXPECT_EQ(lost, losses);
+    EXPECT_EQ(rough.exit_code, 0) << rough.report.at("reason");
+    EXPECT_EQ(rough.report.at("state_hash"), calm.report.at("state_hash"));
+  }
+}
+
+TEST(LossyBus, ALostIntroductionIsRepeated) {
+  const Scenario scenario = paper_scenario(3);
+  const InProcessResult calm = run_with(scenario, {});
+  std::size_t lost = 0;
+  const InProcessResult rough = run_with(scenario, [&](bus::Transit transit) {
+    const bool first = std::holds_alternative<wire::Beacon>(transit.sample) && transit.from == 3 && lost < 5;
+    if (first) ++lost;
+    return first ? std::vector<bus::Transit>{} : std::vector{std::move(transit)};
+  });
+  EXPECT_EQ(lost, 5U);
+  EXPECT_EQ(rough.report.at("state_hash"), calm.report.at("state_hash"));
+}
+
 }  // namespace
 }  // namespace skein

@@ -57,6 +57,32 @@ TEST(Admission, WaitsUntilEverybodyHasTheMission) {
   EXPECT_FALSE(admission.roster(kAgents).has_value());
 }
 
+TEST(Admission, NamesWhatKeepsTheRunFromStarting) {
+  Admission admission = two();
+  EXPECT_EQ(admission.obstacles(kAgents), "agent 1 was not heard, agent 2 was not heard");
+  EXPECT_FALSE(admission.lacks_mission());
+  admission.introduce(introduction(1, {test::kWorldNonce}), 0.0);
+  Beacon without = introduction(2, {nonce_of(1)});
+  without.run = 0;
+  admission.introduce(without, 0.0);
+  EXPECT_TRUE(admission.lacks_mission());
+  EXPECT_EQ(admission.obstacles(std::vector{nonce_of(2)}),
+            "the world is not matched with agent 1, agent 1 is not matched with agent 2, agent 2 lacks the mission, "
+            "agent 2 is not matched with the world");
+  admission.introduce(introduction(1, kAll), 0.0);
+  admission.introduce(introduction(2, kAll), 0.0);
+  EXPECT_FALSE(admission.lacks_mission());
+  EXPECT_EQ(admission.obstacles(kAgents), "");
+}
+
+TEST(Admission, NamesADozenObstaclesAtMost) {
+  std::vector<AgentId> ids;
+  for (AgentId id = 1; id <= 40; ++id) ids.push_back(id);
+  const Admission admission(test::kRun, test::kWorldNonce, ids, kSilence_s);
+  const std::string text = admission.obstacles({});
+  EXPECT_NE(text.find("agent 12 was not heard, and 28 more"), std::string::npos) << text;
+}
+
 TEST(Admission, RefusesASecondProcessOnceTheHolderIsHeardAgain) {
   Admission admission = two();
   admission.introduce(introduction(1, kAll), 0.0);

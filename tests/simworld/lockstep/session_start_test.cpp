@@ -64,10 +64,33 @@ TEST(SessionStart, TimesOutNamingWhoIsMissing) {
   stage.at(5.0);
   EXPECT_EQ(stage.session.state(), State::Waiting);
   stage.at(5.1);
-  EXPECT_EQ(stage.session.start_failure(), "start-up timed out after 5 s: 1 of 3 agents matched; missing: 1, 3");
+  EXPECT_EQ(
+      stage.session.start_failure(),
+      "start-up timed out after 5 s: 1 of 3 agents matched; missing: 1, 3 (agent 1 was not heard, agent 3 was not "
+      "heard)");
   EXPECT_EQ(stage.last_tick().phase, Phase::Finished);
   stage.at(5.2);
   EXPECT_EQ(stage.session.state(), State::Done);
+}
+
+TEST(SessionStart, PublishesTheMissionAgainEveryTwoSecondsWhileSomebodyLacksIt) {
+  Stage stage(2);
+  (void)stage.take_sent<wire::Mission>();
+  stage.introduce(1);
+  Beacon without = test::introduction(2, {test::kWorldNonce});
+  without.run = 0;
+  std::size_t missions = 0;
+  for (int tenth = 0; tenth <= 50; ++tenth) {
+    stage.say(without);
+    stage.at(0.1 * tenth);
+    missions += stage.take_sent<wire::Mission>().size();
+  }
+  EXPECT_EQ(missions, 2U);  // at 2 and 4 s
+  stage.introduce(2);
+  for (int tenth = 51; tenth <= 100; ++tenth) {
+    stage.at(0.1 * tenth);
+    EXPECT_TRUE(stage.take_sent<wire::Mission>().empty());
+  }
 }
 
 TEST(SessionStart, RefusedStartEndsTheSession) {
