@@ -60,7 +60,7 @@ const Refused kRefused[] = {
      {{"vehicles.speed", "3"}},
      "--set vehicles.speed: unknown key 'speed' in vehicles; allowed: type, speed_mps, max_curvature_per_m, "
      "max_torsion_per_m, radius_m, "
-     "safety_radius_m, on_agent_loss, starts, ring"},
+     "safety_radius_m, on_agent_loss, starts, ring, max_acceleration_mps2"},
     {"MisspeltSection",
      {{"plannr.particles", "3"}},
      "--set plannr.particles: unknown key 'plannr'; did you mean 'planner'?"},
