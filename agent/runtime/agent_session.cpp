@@ -24,6 +24,13 @@ void AgentSession::send(const Value& value, double now_s) {
 }
 
 void AgentSession::poll(double now_s) {
+  act(now_s);
+  const bool live = state_ == State::Live && tick_;
+  const bool owes = live && tick_->round > done_round_;
+  port_.wake_after(owes ? lacking().size() : live ? bus::kOnTick : 0);
+}
+
+void AgentSession::act(double now_s) {
   take(now_s);
   if (tick_ && (state_ == State::Introducing || state_ == State::Live)) follow_roster();
   if (state_ == State::Introducing) introduce(now_s);

@@ -52,6 +52,7 @@ class AgentSession {
   [[nodiscard]] const FaultCounts& refused_samples() const { return faults_; }
 
  private:
+  void act(double now_s);
   void take(double now_s);
   void on_sample(const wire::Mission& sample, double now_s);
   void on_sample(const wire::Tick& sample, double now_s);

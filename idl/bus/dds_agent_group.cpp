@@ -47,6 +47,7 @@ struct DdsAgentGroup::Impl {
 
     void publish(const AgentOutbound& sample) override { group_.publish(*this, sample); }
     void take(std::vector<AgentInbound>& into) override { group_.take(*this, into); }
+    void wake_after(std::size_t samples) override { group_.wake_after(*this, samples); }
     [[nodiscard]] std::vector<std::uint64_t> matched() const override { return group_.matched(*this); }
 
    private:
@@ -55,6 +56,7 @@ struct DdsAgentGroup::Impl {
     std::uint64_t nonce_;
     Impl& group_;
     std::deque<AgentInbound> pending_;  ///< handed over, not taken yet
+    std::size_t wake_after_ = 0;
   };
 
   Impl(const DdsConfig& config, std::span<const AgentId> ids)
@@ -63,10 +65,10 @@ struct DdsAgentGroup::Impl {
         publisher(participant.publisher(config.swarm)),
         subscriber(participant.subscriber({config.swarm})),
         own_subscriber(participant.subscriber(sense_partitions(config.swarm, ids))),
-        mission(participant, subscriber, book, wake, inbox),
-        tick(participant, subscriber, book, wake, inbox),
-        sense(participant, own_subscriber, book, wake, inbox),
-        representative_in(participant, subscriber, book, wake, inbox),
+        mission(participant, subscriber, book, wake, inbox, Ring::Now),
+        tick(participant, subscriber, book, wake, inbox, Ring::Now),
+        sense(participant, own_subscriber, book, wake, inbox, Ring::Counted),
+        representative_in(participant, subscriber, book, wake, inbox, Ring::Counted),
         representative_out(participant, publisher, book, wake),
         beacon(participant, publisher, book, wake) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -80,10 +82,22 @@ struct DdsAgentGroup::Impl {
     const bool accepted = closing != nullptr ? beacon.write(*closing) : representative_out.write(*shared);
     if (!accepted) ++refused_by_dds;
     if (shared == nullptr || members.size() == 1) return;
+    bool awaited = false;
     for (const auto& member : members) {
-      if (member.get() != &from) hand_over(*member, *shared);
+      if (member.get() == &from) continue;
+      hand_over(*member, *shared);
+      awaited = awaited || member->wake_after_ != kOnTick;
     }
-    wake.ring();
+    if (awaited) wake.ring();
+  }
+
+  /// The process is woken for the agent that lacks the fewest samples.
+  void wake_after(Member& of, std::size_t samples) {
+    if (of.wake_after_ == samples) return;
+    of.wake_after_ = samples;
+    std::size_t least = samples;
+    for (const auto& member : members) least = std::min(least, member->wake_after_);
+    inbox.wake_after(least);
   }
 
   void receive() {

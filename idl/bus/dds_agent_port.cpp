@@ -13,6 +13,10 @@ void DdsAgentPort::take(std::vector<AgentInbound>& into) {
   group_.port(0).take(into);
 }
 
+void DdsAgentPort::wake_after(std::size_t samples) {
+  group_.port(0).wake_after(samples);
+}
+
 std::vector<std::uint64_t> DdsAgentPort::matched() const {
   return group_.port(0).matched();
 }

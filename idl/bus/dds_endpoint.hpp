@@ -132,8 +132,8 @@ template <typename Sample, typename Inbound>
 class Reader final : private fdds::DataReaderListener {
  public:
   Reader(Participant& participant, fdds::Subscriber* subscriber, PeerBook& book, const Wake& wake,
-         Inbox<Inbound>& inbox)
-      : own_(participant.key()), subscriber_(subscriber), book_(book), wake_(wake), inbox_(inbox) {
+         Inbox<Inbound>& inbox, Ring ring)
+      : own_(participant.key()), subscriber_(subscriber), book_(book), wake_(wake), inbox_(inbox), ring_(ring) {
     fdds::DataReaderQos qos = subscriber->get_default_datareader_qos();
     apply(topic(kTopic), qos);
     reader_ =
@@ -160,12 +160,14 @@ class Reader final : private fdds::DataReaderListener {
           reader->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
       // a process hears its own writer too; nobody needs its own samples
       if (taken && info.valid_data && process_key(info.sample_identity.writer_guid()) != own_) {
-        inbox_.put(std::move(sample));
+        inbox_.put(std::move(sample), ring_);
       }
+      if (taken && --unread == 0) return;  // what came meanwhile has a notice of its own
       sample = Sample();
+      if (taken) continue;
       // Bytes that are no sample end a take as if there were none left; what follows them would wait for the next.
       const std::uint64_t left = reader->get_unread_count();
-      if (!taken && left >= unread) break;
+      if (left >= unread) break;
       unread = left;
     }
   }
@@ -182,6 +184,7 @@ class Reader final : private fdds::DataReaderListener {
   PeerBook& book_;
   const Wake& wake_;
   Inbox<Inbound>& inbox_;
+  const Ring ring_;
   fdds::DataReader* reader_ = nullptr;
 };
 

@@ -77,6 +77,7 @@ class DdsAgentPort final : public AgentPort {
 
   void publish(const AgentOutbound& sample) override;
   void take(std::vector<AgentInbound>& into) override;
+  void wake_after(std::size_t samples) override;
   [[nodiscard]] std::vector<std::uint64_t> matched() const override;
 
   [[nodiscard]] int wake_fd() const { return group_.wake_fd(); }
@@ -96,6 +97,7 @@ class DdsWorldPort final : public WorldPort {
 
   void publish(const WorldOutbound& sample) override;
   void take(std::vector<WorldInbound>& into) override;
+  void wake_after(std::size_t beacons) override;
   [[nodiscard]] std::vector<std::uint64_t> matched() const override;
 
   [[nodiscard]] int wake_fd() const;

@@ -65,7 +65,7 @@ void apply(const TopicSpec& spec, fdds::DataWriterQos& qos) {
   qos.publish_mode().kind = fdds::SYNCHRONOUS_PUBLISH_MODE;
   qos.data_sharing().off();
   qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
-  qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0.05);
+  qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(spec.heartbeat_s);
 }
 
 void apply(const TopicSpec& spec, fdds::DataReaderQos& qos) {

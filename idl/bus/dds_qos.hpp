@@ -1,7 +1,7 @@
 // From the topic table to the QoS of Fast DDS, and the QoS of a participant. Internal to idl/bus.
 //
-// Heartbeats every 50 ms instead of one with each sample, and bounds from kMaxAgents (the stock 10 instances silently
-// stop a reader at ten agents). Data sharing is off everywhere: it would leave files in /dev/shm.
+// Heartbeats by period (idl/bus/topics.hpp) instead of one with each sample, and bounds from kMaxAgents (the stock 10
+// instances silently stop a reader at ten agents). Data sharing is off everywhere: it would leave files in /dev/shm.
 #pragma once
 
 #include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>

@@ -27,8 +27,8 @@ struct DdsWorldPort::Impl {
         participant(config, partitions_of(config, agents), book, wake),
         publisher(participant.publisher(config.swarm)),
         subscriber(participant.subscriber({config.swarm})),
-        beacon(participant, subscriber, book, wake, inbox),
-        representative_in(participant, subscriber, book, wake, inbox),
+        beacon(participant, subscriber, book, wake, inbox, Ring::Counted),
+        representative_in(participant, subscriber, book, wake, inbox, Ring::Silent),
         representative_out(participant, publisher, book, wake),
         mission(participant, publisher, book, wake),
         tick(participant, publisher, book, wake) {
@@ -75,6 +75,10 @@ void DdsWorldPort::publish(const WorldOutbound& sample) {
 
 void DdsWorldPort::take(std::vector<WorldInbound>& into) {
   impl_->inbox.drain(into);
+}
+
+void DdsWorldPort::wake_after(std::size_t beacons) {
+  impl_->inbox.wake_after(beacons);
 }
 
 std::vector<std::uint64_t> DdsWorldPort::matched() const {

@@ -2,6 +2,10 @@
 //
 // Listeners put and never block; the owner polls wake_fd() and drains. When the queue is full its oldest sample goes
 // and is counted: the lockstep protocol asks again for what it lacks.
+//
+// A wake-up costs more than a sample, and an owner that waits for n samples can do nothing with fewer. So it may say
+// how many counted samples it waits for (wake_after), and is woken once: of N agents' round, by N wake-ups instead of
+// N^2.
 #pragma once
 
 #include <sys/eventfd.h>
@@ -10,7 +14,6 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
-#include <deque>
 #include <iterator>
 #include <mutex>
 #include <system_error>
@@ -41,30 +44,53 @@ class Wake {
   int fd_;
 };
 
+/// Whether a sample wakes the owner.
+enum class Ring : std::uint8_t {
+  Now,      ///< at once
+  Counted,  ///< when as many have come as the owner waits for
+  Silent,   ///< when the owner waits for nothing in particular
+};
+
 template <typename Sample>
 class Inbox {
  public:
   Inbox(std::size_t bound, const Wake& wake) : bound_(bound), wake_(wake) {}
 
   template <typename Part>
-  void put(Part&& sample) {
+  void put(Part&& sample, Ring ring = Ring::Now) {
+    bool wakes = ring == Ring::Now;
     {
       const std::lock_guard lock(mutex_);
       if (queue_.size() == bound_) {
-        queue_.pop_front();
+        queue_.erase(queue_.begin());
         lost_.fetch_add(1, std::memory_order_relaxed);
       }
       queue_.emplace_back(std::forward<Part>(sample));
+      if (ring == Ring::Counted) ++counted_;
+      wakes = wakes || counted_ >= wake_after_;
     }
-    wake_.ring();
+    if (wakes) wake_.ring();
+  }
+
+  /// From now on `count` counted samples wake the owner, those included that came since the last drain; 0: any sample
+  /// does.
+  void wake_after(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    if (count < wake_after_ && !queue_.empty() && counted_ >= count) wake_.ring();
+    wake_after_ = count;
   }
 
   /// Moves everything to the end of `into` and makes the wake descriptor unreadable.
   void drain(std::vector<Sample>& into) {
     wake_.clear();
     const std::lock_guard lock(mutex_);
-    into.insert(into.end(), std::make_move_iterator(queue_.begin()), std::make_move_iterator(queue_.end()));
-    queue_.clear();
+    if (into.empty()) {
+      into.swap(queue_);  // both keep their memory from round to round
+    } else {
+      into.insert(into.end(), std::make_move_iterator(queue_.begin()), std::make_move_iterator(queue_.end()));
+      queue_.clear();
+    }
+    counted_ = 0;
   }
 
   [[nodiscard]] std::uint64_t lost() const { return lost_.load(std::memory_order_relaxed); }
@@ -73,7 +99,9 @@ class Inbox {
   const std::size_t bound_;
   const Wake& wake_;
   std::mutex mutex_;
-  std::deque<Sample> queue_;
+  std::vector<Sample> queue_;
+  std::size_t counted_ = 0;  ///< in the queue
+  std::size_t wake_after_ = 0;
   std::atomic<std::uint64_t> lost_{0};
 };
 

@@ -27,23 +27,30 @@ struct TopicSpec {
   bool latched;           ///< transient local: late joiners get the last sample; otherwise volatile
   std::int32_t depth;     ///< samples kept of each instance
   bool per_agent;         ///< partition `<swarm>/<last part of name>/K`, one writer per agent K; otherwise `<swarm>`
+  double heartbeat_s;     ///< period of a writer's heartbeats while readers owe it an acknowledgement
   std::uint8_t writers;   ///< role_bit()s
   std::uint8_t readers;   ///< role_bit()s
 };
+
+inline constexpr double kHeartbeat_s = 0.05;
+/// Of the one topic that all agents write to all: N^2 heartbeats a period, which at 25 agents and 50 ms are as many as
+/// the samples. A lost one is repaired later for it.
+inline constexpr double kSlowHeartbeat_s = 0.2;
 
 inline constexpr std::uint8_t kWorldRole = role_bit(Role::World);
 inline constexpr std::uint8_t kAgentRole = role_bit(Role::Agent);
 inline constexpr std::uint8_t kObserverRole = role_bit(Role::Observer);
 
 inline constexpr std::array<TopicSpec, 5> kTopics{{
-    {TopicId::Mission, "skein/mission", "skein::v1::Mission", false, true, 1, false, kWorldRole,
+    {TopicId::Mission, "skein/mission", "skein::v1::Mission", false, true, 1, false, kHeartbeat_s, kWorldRole,
      kAgentRole | kObserverRole},
-    {TopicId::Tick, "skein/tick", "skein::v1::Tick", false, false, 16, false, kWorldRole, kAgentRole | kObserverRole},
-    {TopicId::Sense, "skein/sense", "skein::v1::Sense", true, false, 16, true, kWorldRole, kAgentRole},
-    {TopicId::Beacon, "skein/beacon", "skein::v1::Beacon", true, false, 16, false, kAgentRole,
+    {TopicId::Tick, "skein/tick", "skein::v1::Tick", false, false, 16, false, kHeartbeat_s, kWorldRole,
+     kAgentRole | kObserverRole},
+    {TopicId::Sense, "skein/sense", "skein::v1::Sense", true, false, 16, true, kHeartbeat_s, kWorldRole, kAgentRole},
+    {TopicId::Beacon, "skein/beacon", "skein::v1::Beacon", true, false, 16, false, kHeartbeat_s, kAgentRole,
      kWorldRole | kObserverRole},
     {TopicId::Representative, "skein/representative", "skein::v1::Representative", true, false, 16, false,
-     kAgentRole | kWorldRole, kAgentRole | kWorldRole},
+     kSlowHeartbeat_s, kAgentRole | kWorldRole, kAgentRole | kWorldRole},
 }};
 
 [[nodiscard]] constexpr const TopicSpec& topic(TopicId id) {

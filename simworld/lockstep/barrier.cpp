@@ -53,6 +53,11 @@ std::vector<AgentId> Barrier::waiting_for() const {
   return ids;
 }
 
+std::size_t Barrier::lacking_beacons() const {
+  const auto lacks = [](const auto& entry) { return !entry.second.excused && !entry.second.answer.beacon; };
+  return static_cast<std::size_t>(std::ranges::count_if(parts_, lacks));
+}
+
 const Answer* Barrier::answer_of(AgentId agent) const {
   const auto found = parts_.find(agent);
   return found == parts_.end() ? nullptr : &found->second.answer;

@@ -31,6 +31,8 @@ class Barrier {
   [[nodiscard]] bool complete() const;
   /// Agents that the round still waits for, ascending.
   [[nodiscard]] std::vector<AgentId> waiting_for() const;
+  /// How many beacons the round still waits for.
+  [[nodiscard]] std::size_t lacking_beacons() const;
   [[nodiscard]] const Answer* answer_of(AgentId agent) const;
   [[nodiscard]] double opened_s() const { return opened_s_; }
 

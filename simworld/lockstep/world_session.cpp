@@ -45,6 +45,11 @@ void WorldSession::send(const Value& value, TopicCount& count, double now_s) {
 
 void WorldSession::poll(double now_s) {
   if (state_ == State::Done) return;
+  act(now_s);
+  port_.wake_after(state_ == State::Waiting ? 0 : barrier_.lacking_beacons());
+}
+
+void WorldSession::act(double now_s) {
   if (last_poll_s_ && now_s - *last_poll_s_ > kAway_s) away_s_ += now_s - *last_poll_s_;
   last_poll_s_ = now_s;
   take(now_s);

@@ -99,6 +99,7 @@ class WorldSession {
   [[nodiscard]] std::uint64_t run_id() const { return options_.run; }
 
  private:
+  void act(double now_s);
   void take(double now_s);
   void on_sample(const wire::Beacon& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);

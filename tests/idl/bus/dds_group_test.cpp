@@ -100,6 +100,34 @@ TEST(DdsAgentGroup, HandsEverySampleToThoseWhoseItIs) {
   EXPECT_TRUE(group.flush(std::chrono::seconds(10)));
 }
 
+TEST(DdsAgentGroup, WakesForTheAgentThatLacksTheFewestAndAlwaysForATick) {
+  DdsWorldPort world(config(0, 1000), kThree);
+  DdsAgentPort one(config(1, 1100));
+  DdsAgentGroup group(config(2, 1200), kPair);
+  ASSERT_TRUE(eventually({world.wake_fd(), one.wake_fd(), group.wake_fd()}, [&] {
+    return world.matched().size() == 3 && one.matched().size() == 3 && group.port(0).matched().size() == 3;
+  }));
+  const auto readable = [&] {
+    pollfd polled{group.wake_fd(), POLLIN, 0};
+    return ::poll(&polled, 1, 0) == 1;
+  };
+  group.port(0).wake_after(kOnTick);
+  group.port(1).wake_after(kOnTick);
+  group.receive();
+  one.publish(testing::representative(1));
+  ASSERT_TRUE(one.flush(std::chrono::seconds(10)));
+  EXPECT_FALSE(readable());
+  group.port(0).publish(testing::representative(2));
+  EXPECT_FALSE(readable()) << "nor for a representative of its own process";
+  group.port(1).wake_after(1);
+  EXPECT_TRUE(readable()) << "it is there already";
+  group.port(1).wake_after(kOnTick);
+  group.receive();
+  EXPECT_FALSE(readable());
+  world.publish(testing::tick(1));
+  EXPECT_TRUE(eventually({group.wake_fd()}, readable));
+}
+
 TEST(DdsAgentGroup, RefusesListsThatAreEmptyUnorderedOrOutOfRange) {
   const auto make = [](std::vector<AgentId> ids) { const DdsAgentGroup group(config(1, 5), ids); };
   EXPECT_THROW(make({}), std::invalid_argument);

@@ -30,6 +30,42 @@ TEST(Inbox, RingsWhenPutAndIsQuietWhenDrained) {
   EXPECT_FALSE(readable(wake));
 }
 
+TEST(Inbox, WakesOnceTheCountedSamplesThatAreWaitedForAreThere) {
+  const Wake wake;
+  Inbox<int> inbox(8, wake);
+  std::vector<int> into;
+  inbox.wake_after(2);
+  inbox.put(1, Ring::Counted);
+  inbox.put(2, Ring::Silent);
+  EXPECT_FALSE(readable(wake));
+  inbox.put(3, Ring::Counted);
+  EXPECT_TRUE(readable(wake));
+  inbox.drain(into);
+  EXPECT_THAT(into, ElementsAre(1, 2, 3));
+  inbox.put(4, Ring::Counted);
+  EXPECT_FALSE(readable(wake)) << "the count starts anew";
+  inbox.put(5, Ring::Now);
+  EXPECT_TRUE(readable(wake));
+}
+
+TEST(Inbox, WhoWaitsForFewerIsWokenByWhatIsThereAlready) {
+  const Wake wake;
+  Inbox<int> inbox(8, wake);
+  inbox.wake_after(SIZE_MAX);
+  inbox.put(1, Ring::Silent);
+  inbox.put(2, Ring::Counted);
+  inbox.wake_after(2);
+  EXPECT_FALSE(readable(wake));
+  inbox.wake_after(1);
+  EXPECT_TRUE(readable(wake));
+  std::vector<int> into;
+  inbox.drain(into);
+  inbox.put(3, Ring::Silent);
+  EXPECT_FALSE(readable(wake));
+  inbox.wake_after(0);
+  EXPECT_TRUE(readable(wake)) << "0: any sample";
+}
+
 TEST(Inbox, LosesTheOldestWhenFullAndCountsIt) {
   const Wake wake;
   Inbox<int> inbox(2, wake);

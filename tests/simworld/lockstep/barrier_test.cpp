@@ -41,6 +41,17 @@ TEST(Barrier, WaitsForTheSampleThatABeaconCounts) {
   EXPECT_EQ(barrier.answer_of(1)->representative, representative(1, 4));
 }
 
+TEST(Barrier, CountsTheBeaconsThatItLacks) {
+  Barrier barrier = open_round(4);
+  EXPECT_EQ(barrier.lacking_beacons(), 2U);
+  barrier.accept(representative(1, 4));
+  EXPECT_EQ(barrier.lacking_beacons(), 2U);
+  barrier.accept(closing(1, 4));
+  EXPECT_EQ(barrier.lacking_beacons(), 1U);
+  barrier.excuse(2);
+  EXPECT_EQ(barrier.lacking_beacons(), 0U);
+}
+
 TEST(Barrier, TakesASampleBeforeItsBeacon) {
   Barrier barrier = open_round(4);
   EXPECT_TRUE(barrier.accept(representative(1, 4)));
