@@ -52,25 +52,26 @@ void complete(Json& report, const Launcher& launcher) {
   double pss_sum_mb = 0.0;
   std::size_t measured = 0;
   Json processes = Json::array();
-  for (const auto& [id, process] : launcher.agents()) {
+  for (const AgentProcess& process : launcher.agents()) {
     for (Json& vehicle : report["vehicles"]) {
-      if (vehicle["id"] == id) vehicle["pid"] = process.pid;
+      if (vehicle["id"] == process.id) vehicle["pid"] = process.pid;
     }
     if (process.pss_mb) {
       pss_sum_mb += *process.pss_mb;
       ++measured;
     }
-    processes.push_back({{"agent", id},
+    processes.push_back({{"agent", process.id},
                          {"pid", process.pid},
                          {"ended_by", process.wait_status ? describe_status(*process.wait_status) : "unknown"}});
   }
   if (measured > 0) report["pss_mb_per_agent"] = pss_sum_mb / static_cast<double>(measured);
   report["processes"] = processes;
-  for (const Json& change : report["roster_changes"]) {
-    const auto lost = launcher.agents().find(change["agent"].get<unsigned>());
-    if (lost == launcher.agents().end() || !lost->second.wait_status) continue;
-    report["reason"] = fmt::format("{} (process {} of agent {}: {})", report["reason"].get<std::string>(),
-                                   lost->second.pid, lost->first, describe_status(*lost->second.wait_status));
+  for (const AgentProcess& process : launcher.agents()) {
+    const auto is_own = [&](const Json& change) { return change["agent"] == process.id; };
+    if (!process.wait_status || *process.wait_status == 0) continue;
+    if (std::ranges::none_of(report["roster_changes"], is_own)) continue;
+    report["reason"] = fmt::format("{} (process {} of agent {}: {})", report["reason"].get<std::string>(), process.pid,
+                                   process.id, describe_status(*process.wait_status));
   }
   if (launcher.signal()) {
     report["success"] = false;

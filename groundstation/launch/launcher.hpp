@@ -33,9 +33,10 @@ struct LaunchPlan {
 
 /// How one agent's process went.
 struct AgentProcess {
+  unsigned id = 0;
   pid_t pid = 0;
-  std::optional<int> wait_status;
-  std::optional<double> pss_mb;  ///< when the flight began
+  std::optional<int> wait_status = {};
+  std::optional<double> pss_mb = {};  ///< when the flight began
 };
 
 class Launcher {
@@ -46,15 +47,22 @@ class Launcher {
   /// Runs until every process has ended. @return the world's wait status. @throws StartFailure
   int run();
 
-  [[nodiscard]] const std::map<unsigned, AgentProcess>& agents() const { return records_; }
+  /// All that were started, in that order: several of one agent, if it was restarted.
+  [[nodiscard]] const std::vector<AgentProcess>& agents() const { return records_; }
   /// The first SIGINT or SIGTERM that the launcher got.
   [[nodiscard]] std::optional<int> signal() const { return signal_; }
 
  private:
+  struct Agent {
+    std::unique_ptr<Child> child;
+    std::size_t record = 0;
+  };
   void start_agent(unsigned id);
   void take_messages();
+  void act_on(const nlohmann::json& message);
   void take_signals();
   void reap();
+  void note_end(Agent& agent);
   void note_memory();
   void end_agents();
   [[nodiscard]] bool agents_running();
@@ -63,8 +71,8 @@ class Launcher {
   SignalWatch signals_;
   std::unique_ptr<ControlChannel> channel_;
   std::unique_ptr<Child> world_;
-  std::map<unsigned, std::unique_ptr<Child>> children_;
-  std::map<unsigned, AgentProcess> records_;
+  std::map<unsigned, Agent> agents_;
+  std::vector<AgentProcess> records_;
   std::optional<int> signal_;
   double signalled_s_ = 0.0;
   bool memory_noted_ = false;

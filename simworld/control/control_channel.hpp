@@ -1,7 +1,7 @@
 // The line between the launcher and the world: one JSON object a message over an inherited socket pair.
 //
-// world -> launcher:  {"launch": ID}, {"kill": ID}, {"progress": {...}}
-// launcher -> world:  {"started": ID, "pid": PID}, {"ended": ID, "pid": PID, "status": STATUS}
+// world -> launcher:  {"launch": ID}, {"kill": ID}, {"stop": ID}, {"cont": ID}, {"restart": ID}, {"progress": {...}}
+// launcher -> world:  {"started": ID, "pid": PID}, {"stopped": ID}, {"ended": ID, "pid": PID, "status": STATUS}
 // Messages keep their boundaries (SOCK_SEQPACKET); both ends see it at once when the other is gone.
 #pragma once
 

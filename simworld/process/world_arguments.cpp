@@ -52,12 +52,14 @@ void add_world_options(CLI::App& app, WorldArguments& arguments) {
   add_scenario_options(app, arguments);
   app.add_option("--out", arguments.out, "folder for report and logs; by default skein-runs/<time>-<seed>");
   app.add_flag("--fail-fast,!--keep-going", arguments.fail_fast, "end the run when an agent is lost; default: go on");
-  add_repeated(app, "--fault", "kill:ID@plan:ROUND or kill:ID@fly:STEP: a fault on purpose; may be repeated",
-               [&arguments](const auto& text) {
-                 const ParsedFault parsed = parse_fault(text);
-                 if (!parsed.fault) throw CLI::ValidationError(parsed.error);
-                 arguments.faults.push_back(*parsed.fault);
-               });
+  add_repeated(
+      app, "--fault",
+      "KIND:ID@plan:ROUND or KIND:ID@fly:STEP, KIND kill, stop, cont or restart: a fault on purpose; may be repeated",
+      [&arguments](const auto& text) {
+        const ParsedFault parsed = parse_fault(text);
+        if (!parsed.fault) throw CLI::ValidationError(parsed.error);
+        arguments.faults.push_back(*parsed.fault);
+      });
 }
 
 std::optional<Scenario> load_or_complain(const WorldArguments& arguments) {

@@ -23,6 +23,9 @@ class LauncherControl final : public ProcessControl {
  public:
   explicit LauncherControl(ControlChannel& channel) : channel_(channel) {}
   void kill(AgentId agent) override { channel_.send({{"kill", agent}}); }
+  void stop(AgentId agent) override { channel_.send({{"stop", agent}}); }
+  void cont(AgentId agent) override { channel_.send({{"cont", agent}}); }
+  void restart(AgentId agent) override { channel_.send({{"restart", agent}}); }
 
  private:
   ControlChannel& channel_;
@@ -82,6 +85,9 @@ class WorldProcess {
     while (const auto message = channel_.receive()) {
       if (const auto ended = message->find("ended"); ended != message->end()) {
         session_.process_ended(ended->get<AgentId>(), steady_now_s());
+      }
+      if (const auto stopped = message->find("stopped"); stopped != message->end()) {
+        session_.process_stopped(stopped->get<AgentId>());
       }
     }
     if (launched_ && !channel_.open()) session_.interrupt("the launcher ended", steady_now_s());

@@ -66,7 +66,7 @@ void read_head(const MapReader& root, Mission& mission) {
 /// What is common to all vehicles, as a spec without id, start and slot.
 VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
   static constexpr Keys kTypes[] = {"constant_speed"};
-  static constexpr Keys kLosses[] = {"remove", "continue"};
+  static constexpr Keys kLosses[] = {"remove", "hover", "continue"};
   VehicleSpec spec;
   (void)vehicles.word("type", kTypes);
   spec.type = VehicleType::ConstantSpeed;
@@ -79,8 +79,10 @@ VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
   if (spec.safety_radius_m < spec.radius_m) {
     vehicles.refuse("safety_radius_m", fmt::format("at least vehicles.radius_m, {} m", spec.radius_m));
   }
-  const bool remove = vehicles.word("on_agent_loss", kLosses, "remove") == "remove";
-  world.on_agent_loss = remove ? OnAgentLoss::Remove : OnAgentLoss::Continue;
+  const std::string_view on_loss = vehicles.word("on_agent_loss", kLosses, "remove");
+  world.on_agent_loss = on_loss == "remove"  ? OnAgentLoss::Remove
+                        : on_loss == "hover" ? OnAgentLoss::Hover
+                                             : OnAgentLoss::Continue;
   return spec;
 }
 
