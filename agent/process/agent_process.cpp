@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
+constexpr double kWorldTimeout_s = 30.0;
 
 /// Logs what changed since the last call.
 void log_course(const AgentSession& session, AgentMode& mode) {
@@ -47,8 +48,10 @@ int serve(const AgentArguments& arguments) {
     }
     session.poll(steady_now_s());
     log_course(session, mode);
-    if (steady_now_s() - session.heard_world_s() > arguments.world_timeout_s) {
-      spdlog::error("no tick of a world for {} s", arguments.world_timeout_s);
+    const double default_s = session.heard_world() ? kWorldTimeout_s : arguments.common.startup_timeout_s;
+    const double limit_s = arguments.world_timeout_s.value_or(default_s);
+    if (steady_now_s() - session.heard_world_s() > limit_s) {
+      spdlog::error("no tick of a world for {} s", limit_s);
       return kStartUp;
     }
   }

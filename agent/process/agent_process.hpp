@@ -1,6 +1,8 @@
 // One UAV's agent as a process: from its id and the bus to the end of the run.
 #pragma once
 
+#include <optional>
+
 #include "idl/process/common_flags.hpp"
 #include "planner/core/mission/mission.hpp"
 
@@ -9,7 +11,8 @@ namespace skein {
 struct AgentArguments {
   CommonFlags common;
   AgentId id = 0;
-  double world_timeout_s = 30.0;  ///< without a tick of any phase
+  /// Without a tick of any phase; by default --startup-timeout before the first tick, and 30 s after it.
+  std::optional<double> world_timeout_s = {};
 };
 
 /// Runs to the end. @return 0 after a run, 3 when refused or without a world, 4 when the world went on without it,
