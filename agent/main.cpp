@@ -3,6 +3,7 @@
 #include "idl/process/id_list.hpp"
 
 int main(int argc, char** argv) {
+  skein::keep_standard_streams();
   CLI::App app("One UAV of a Skein swarm, or several in one process", "skein-agent");
   skein::AgentArguments arguments;
   skein::add_common_flags(app, arguments.common);
@@ -13,9 +14,10 @@ int main(int argc, char** argv) {
         return skein::id_list_from(text) ? ""
                                          : "'" + text + "' is no list of ids; allowed: 1 to 256, as 3, 1-8, 1,3,5-7";
       });
-  app.add_option("--world-timeout", arguments.world_timeout_s, "seconds without a world before the agent ends")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+  app.add_option(
+         "--world-timeout", arguments.world_timeout_s,
+         "seconds without a world before the agent ends; default: --startup-timeout before its first tick, 30 after it")
+      ->check(CLI::Range(0.1, 3600.0));
   app.set_version_flag("--version", SKEIN_VERSION);
   if (const auto code = skein::parse_or_exit_code(app, argc, argv)) return *code;
   arguments.ids = *skein::id_list_from(ids);

@@ -6,6 +6,7 @@
 #include "simworld/report/report.hpp"
 
 int main(int argc, char** argv) {
+  skein::keep_standard_streams();
   CLI::App app("Skein: distributed UAV swarms over DDS", "skein");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(skein::version()));

@@ -3,6 +3,7 @@
 #include "simworld/report/report.hpp"
 
 int main(int argc, char** argv) {
+  skein::keep_standard_streams();
   CLI::App app("The world of a Skein swarm: owns simulated time, vehicles and roster", "skein-simworld");
   skein::WorldArguments arguments;
   skein::add_common_flags(app, arguments.common);

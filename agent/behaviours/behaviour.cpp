@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "agent/behaviours/rejoined.hpp"
 #include "agent/behaviours/rendezvous.hpp"
 
 namespace skein {
@@ -12,6 +13,10 @@ std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self) 
       return std::make_unique<RendezvousBehaviour>(mission, self);
   }
   throw std::invalid_argument("unknown mission kind");
+}
+
+std::unique_ptr<Behaviour> make_rejoined_behaviour() {
+  return std::make_unique<RejoinedBehaviour>();
 }
 
 }  // namespace skein

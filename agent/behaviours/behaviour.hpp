@@ -42,4 +42,7 @@ class Behaviour {
 /// The behaviour of the mission's kind for one agent. @throws std::invalid_argument if the mission has no such vehicle.
 [[nodiscard]] std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self);
 
+/// That of an agent that came back after a loss, whatever the mission's kind.
+[[nodiscard]] std::unique_ptr<Behaviour> make_rejoined_behaviour();
+
 }  // namespace skein

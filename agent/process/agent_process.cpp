@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
+constexpr double kWorldTimeout_s = 30.0;
 
 /// The sessions of one process, over the ports that they share.
 class Sessions {
@@ -60,6 +61,9 @@ class Sessions {
     double heard_s = -1e9;
     for (const auto& member : members_) heard_s = std::max(heard_s, member->session.heard_world_s());
     return heard_s;
+  }
+  [[nodiscard]] bool heard_world() const {
+    return std::ranges::any_of(members_, [](const auto& member) { return member->session.heard_world(); });
   }
   [[nodiscard]] std::uint64_t refused_samples() const {
     std::uint64_t sum = 0;
@@ -132,8 +136,10 @@ int serve(const AgentArguments& arguments) {
     }
     group.receive();
     sessions.poll();
-    if (steady_now_s() - sessions.heard_world_s() > arguments.world_timeout_s) {
-      spdlog::error("no tick of a world for {} s", arguments.world_timeout_s);
+    const double default_s = sessions.heard_world() ? kWorldTimeout_s : arguments.common.startup_timeout_s;
+    const double limit_s = arguments.world_timeout_s.value_or(default_s);
+    if (steady_now_s() - sessions.heard_world_s() > limit_s) {
+      spdlog::error("no tick of a world for {} s", limit_s);
       return kStartUp;
     }
   }

@@ -4,6 +4,8 @@
 // What is decided does not depend on who shares a process with whom.
 #pragma once
 
+#include <optional>
+
 #include "idl/process/common_flags.hpp"
 #include "planner/core/mission/mission.hpp"
 
@@ -11,8 +13,9 @@ namespace skein {
 
 struct AgentArguments {
   CommonFlags common;
-  std::vector<AgentId> ids;       ///< ascending, each once
-  double world_timeout_s = 30.0;  ///< without a tick of any phase
+  std::vector<AgentId> ids;  ///< ascending, each once
+  /// Without a tick of any phase; by default --startup-timeout before the first tick, and 30 s after it.
+  std::optional<double> world_timeout_s = {};
 };
 
 /// Runs to the end. @return 0 after a run, 3 when one of the ids is refused or without a world, 4 when the world went

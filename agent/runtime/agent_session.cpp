@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kIntroduce_s = 0.25;
 constexpr double kNeeds_s = 1.0;
+constexpr double kAway_s = 2.0;  ///< between two polls: this process was stopped
 
 }  // namespace
 
@@ -24,6 +25,8 @@ void AgentSession::send(const Value& value, double now_s) {
 }
 
 void AgentSession::poll(double now_s) {
+  if (last_poll_s_ && now_s - *last_poll_s_ > kAway_s) heard_world_s_ += now_s - *last_poll_s_;
+  last_poll_s_ = now_s;
   act(now_s);
   const bool live = state_ == State::Live && tick_;
   const bool owes = live && tick_->round > done_round_;
@@ -90,11 +93,15 @@ void AgentSession::on_sample(const wire::Tick& sample, double now_s) {
   Checked<Tick> checked = from_wire(sample, context);
   if (!checked.ok()) return faults_.add(checked.fault().reason);
   heard_world_s_ = now_s;
+  ever_heard_ = true;
   const Tick& tick = checked.value();
   if (tick_ && tick.round < tick_->round) return;
   repeat_ = tick_ && tick.round == tick_->round && tick.round == done_round_;
   if (!tick_ || tick.round > tick_->round) tick_heard_s_ = now_s;
+  const auto refused = std::ranges::find(tick.refused, nonce_, &Refusal::nonce);
+  if (state_ == State::Introducing && refused != tick.refused.end()) refused_ = refused->reason;
   tick_ = std::move(checked).value();
+  if (tick_->round > 0) heard_.erase(heard_.begin(), heard_.lower_bound({tick_->round - 1, 0}));
 }
 
 void AgentSession::on_sample(const wire::Sense& sample, double /*now_s*/) {
@@ -108,7 +115,7 @@ void AgentSession::on_sample(const wire::Sense& sample, double /*now_s*/) {
   if (state_ == State::Live && sense.incarnation != incarnation_) {
     return faults_.add(WireFaultReason::WrongIncarnation);
   }
-  if (sense.round > open_round() + 1) return faults_.add(WireFaultReason::OutOfRange);
+  if (tick_ && sense.round > open_round() + 1) return faults_.add(WireFaultReason::OutOfRange);
   if (sense_ && sense.round < sense_->round) return;  // a late copy
   sense_ = std::move(checked).value();
 }
@@ -150,28 +157,50 @@ void AgentSession::introduce(double now_s) {
 
 void AgentSession::follow_roster() {
   const Tick& tick = *tick_;
-  const auto refused = std::ranges::find(tick.refused, nonce_, &Refusal::nonce);
-  if (state_ == State::Introducing && refused != tick.refused.end()) {
+  if (state_ == State::Introducing && refused_) {
     state_ = State::TurnedAway;
-    reason_ = fmt::format("the world refused agent {}: {}", id_, name_of(refused->reason));
+    reason_ = fmt::format("the world refused agent {}: {}", id_, name_of(*refused_));
     return;
   }
+  const bool over = tick.phase == Phase::Finished;
   const auto own = std::ranges::find(tick.roster, nonce_, &RosterEntry::nonce);
   const bool listed = own != tick.roster.end() && own->agent == id_;
   if (state_ == State::Introducing) {
     if (listed && behaviour_ != nullptr) {
-      state_ = State::Live;
-      incarnation_ = own->incarnation;
-    } else if (tick.phase == Phase::Finished && tick.run == run_) {
-      state_ = State::TurnedAway;
-      reason_ = fmt::format("the world ended before agent {} took part", id_);
+      become_live(own->incarnation);
+    } else if (over && tick.run == run_) {
+      state_ = dropped_ ? State::Dropped : State::TurnedAway;
+      reason_ = dropped_ ? fmt::format("the world went on without agent {}, and ended", id_)
+                         : fmt::format("the world ended before agent {} took part", id_);
     }
-  } else if (!listed) {
-    const bool over = tick.phase == Phase::Finished;
+  } else if (!listed && over) {
     state_ = State::Dropped;
-    reason_ =
-        fmt::format("the world went on without agent {} at round {}{}", id_, tick.round, over ? ", and ended" : "");
+    reason_ = fmt::format("the world went on without agent {}, and ended", id_);
+  } else if (!listed) {
+    start_over();
   }
+}
+
+void AgentSession::become_live(std::uint32_t incarnation) {
+  state_ = State::Live;
+  incarnation_ = incarnation;
+  if (incarnation > 1) behaviour_ = make_rejoined_behaviour();
+}
+
+/// Dropped: nothing of its former life is left but the mission and the newest tick.
+void AgentSession::start_over() {
+  state_ = State::Introducing;
+  dropped_ = true;
+  incarnation_ = 0;
+  behaviour_ = make_behaviour(mission_, id_);
+  sense_.reset();
+  heard_.clear();
+  done_round_ = 0;
+  last_ = {};
+  sent_.reset();
+  state_hash_ = 0;
+  repeat_ = false;
+  last_sent_s_ = -1e9;
 }
 
 std::vector<Need> AgentSession::lacking() const {
@@ -232,7 +261,7 @@ Beacon AgentSession::beacon() const {
   beacon.agent = id_;
   beacon.incarnation = incarnation_;
   beacon.nonce = nonce_;
-  beacon.round = done_round_;
+  beacon.round = state_ == State::Introducing ? open_round() : done_round_;
   beacon.step = step();
   beacon.representative = sent_.has_value();
   if (state_ == State::Introducing) beacon.matched = matched_;

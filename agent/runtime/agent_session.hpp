@@ -1,11 +1,12 @@
 // The agent's end of the lockstep protocol, over any carrier: introduces itself, answers each tick once all that the
 // tick counts is here, and repeats its answer when asked. Receive, convert, decide (agent/behaviours), convert, send.
 //
-// Until a tick's roster admits it, it sends a beacon with incarnation 0 every 0.25 s, and
-// whenever its matched peers change. A tick counts samples of the
-// round before (0 or 1 an agent); they are taken in order of id, never of arrival. What is still lacking after a second
-// is named in an open beacon, again every second. A repeated tick is answered from the stored outputs. Time comes from
-// the caller, in seconds of any steady clock.
+// Until a tick's roster admits it, it sends a beacon with incarnation 0 every 0.25 s, and whenever its matched peers
+// change. A tick counts samples of the round before (0 or 1 an agent); they are taken in order of id, never of arrival.
+// What is still lacking after a second is named in an open beacon, again every second. A repeated tick is answered from
+// the stored outputs. An agent that finds itself dropped discards all but the mission and introduces itself again; who
+// comes back, so or as a new process, does so under an incarnation over 1. Time comes from the caller, in seconds of
+// any steady clock.
 #pragma once
 
 #include <map>
@@ -28,7 +29,7 @@ class AgentSession {
     Live,         ///< takes part
     Finished,     ///< the world ended the run, and the agent had taken part
     TurnedAway,   ///< refused, or the world ended before the run started
-    Dropped,      ///< the world went on without it
+    Dropped,      ///< the world went on without it, and ended
   };
 
   /// @param nonce the process's own, as its port announces it
@@ -44,8 +45,11 @@ class AgentSession {
   [[nodiscard]] State state() const { return state_; }
   /// One line for TurnedAway and Dropped.
   [[nodiscard]] const std::string& reason() const { return reason_; }
-  /// When a tick of any phase was last heard; the time of construction before the first.
+  /// When a tick of any phase was last heard; the time of construction before the first. Time in which this process was
+  /// itself stopped counts against nobody.
   [[nodiscard]] double heard_world_s() const { return heard_world_s_; }
+  /// Whether a tick was ever heard.
+  [[nodiscard]] bool heard_world() const { return ever_heard_; }
   [[nodiscard]] std::uint32_t round() const { return done_round_; }
   [[nodiscard]] std::uint32_t step() const { return tick_ ? tick_->step : 0; }
   [[nodiscard]] AgentMode mode() const { return last_.mode; }
@@ -64,6 +68,8 @@ class AgentSession {
   [[nodiscard]] bool may_count(const Representative& sample) const;
   void introduce(double now_s);
   void follow_roster();
+  void become_live(std::uint32_t incarnation);
+  void start_over();
   [[nodiscard]] std::vector<Need> lacking() const;
   void answer(double now_s);
   void publish_answer(double now_s);
@@ -90,7 +96,11 @@ class AgentSession {
   RoundOutput last_;
   std::optional<Representative> sent_;
   std::uint64_t state_hash_ = 0;
+  bool dropped_ = false;  ///< it was live before
+  std::optional<RefusalReason> refused_;
   double heard_world_s_;
+  bool ever_heard_ = false;
+  std::optional<double> last_poll_s_;
   double last_sent_s_ = -1e9;
   double tick_heard_s_ = 0.0;
   bool repeat_ = false;

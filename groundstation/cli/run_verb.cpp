@@ -41,6 +41,8 @@ std::vector<std::string> world_arguments(const RunArguments& arguments, const st
   flags.insert(flags.end(), {"--out", folder, "--settle-time", fmt::format("{}", arguments.world.settle_s)});
   if (arguments.world.seed) flags.insert(flags.end(), {"--seed", std::to_string(*arguments.world.seed)});
   if (arguments.world.fail_fast) flags.emplace_back("--fail-fast");
+  if (arguments.world.realtime > 0.0)
+    flags.insert(flags.end(), {"--realtime", fmt::format("{}", arguments.world.realtime)});
   for (const Override& item : arguments.world.overrides) {
     flags.insert(flags.end(), {"--set", item.key + "=" + item.value});
   }
@@ -54,27 +56,27 @@ void complete(Json& report, const Launcher& launcher) {
   double pss_sum_mb = 0.0;
   std::size_t measured = 0;
   Json processes = Json::array();
-  for (const auto& [id, process] : launcher.agents()) {
+  for (const AgentProcess& process : launcher.agents()) {
     for (Json& vehicle : report["vehicles"]) {
-      if (vehicle["id"] == id) vehicle["pid"] = process.pid;
+      if (vehicle["id"] == process.id) vehicle["pid"] = process.pid;
     }
     if (process.pss_mb) {
       pss_sum_mb += *process.pss_mb;
       ++measured;
     }
-    processes.push_back({{"agent", id},
+    processes.push_back({{"agent", process.id},
                          {"pid", process.pid},
                          {"ended_by", process.wait_status ? describe_status(*process.wait_status) : "unknown"}});
   }
   if (measured > 0) report["pss_mb_per_agent"] = pss_sum_mb / static_cast<double>(measured);
   report["processes"] = processes;
   std::set<pid_t> named;
-  for (const Json& change : report["roster_changes"]) {
-    const auto lost = launcher.agents().find(change["agent"].get<unsigned>());
-    if (lost == launcher.agents().end() || !lost->second.wait_status || !named.insert(lost->second.pid).second)
-      continue;
-    report["reason"] = fmt::format("{} (process {} of agent {}: {})", report["reason"].get<std::string>(),
-                                   lost->second.pid, lost->first, describe_status(*lost->second.wait_status));
+  for (const AgentProcess& process : launcher.agents()) {
+    const auto is_own = [&](const Json& change) { return change["agent"] == process.id; };
+    if (!process.wait_status || *process.wait_status == 0) continue;
+    if (std::ranges::none_of(report["roster_changes"], is_own) || !named.insert(process.pid).second) continue;
+    report["reason"] = fmt::format("{} (process {} of agent {}: {})", report["reason"].get<std::string>(), process.pid,
+                                   process.id, describe_status(*process.wait_status));
   }
   if (launcher.signal()) {
     report["success"] = false;
@@ -171,6 +173,9 @@ int run(RunArguments& arguments) {
   try {
     if (!arguments.roster.empty() && !arguments.in_process) {
       throw std::runtime_error("--roster replays in process: add --in-process");
+    }
+    if (arguments.world.realtime > 0.0 && arguments.in_process) {
+      throw std::runtime_error("--realtime paces processes: leave --in-process out");
     }
     const std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (!scenario) return static_cast<int>(ExitCode::Usage);

@@ -19,6 +19,7 @@ constexpr double kLeastWait_s = 1e-3;
 struct Member {
   std::unique_ptr<bus::AgentPort> port;
   std::unique_ptr<AgentSession> session;
+  bool stopped = false;
 };
 
 class Harness final : public ProcessControl {
@@ -30,24 +31,29 @@ class Harness final : public ProcessControl {
         session_(scenario, session_options(options), bus_.world(), this, now_s_) {
     if (options.tamper) bus_.set_tamper(options.tamper);
     wall_.created_s = steady_now_s();
-    for (const VehicleSpec& vehicle : scenario.mission.vehicles) {
-      const std::uint64_t nonce = kWorldNonce + vehicle.id;
-      Member& member = members_[vehicle.id];
-      member.port = bus_.attach(vehicle.id, nonce);
-      member.session = std::make_unique<AgentSession>(vehicle.id, nonce, *member.port, now_s_);
-    }
+    for (const VehicleSpec& vehicle : scenario.mission.vehicles) start(vehicle.id);
   }
 
   void kill(AgentId agent) override {
-    members_.erase(agent);
-    session_.process_ended(agent, now_s_);
+    if (members_.erase(agent) > 0) session_.process_ended(agent, now_s_);
+  }
+  void stop(AgentId agent) override {
+    members_.at(agent).stopped = true;
+    session_.process_stopped(agent);
+  }
+  void cont(AgentId agent) override { members_.at(agent).stopped = false; }
+  void restart(AgentId agent) override {
+    kill(agent);
+    start(agent);
   }
 
   InProcessResult run() {
     std::optional<int> signal;
     while (session_.state() != WorldSession::State::Done) {
       const std::uint32_t round = session_.run().rounds();
-      for (auto& [id, member] : members_) member.session->poll(now_s_);
+      for (auto& [id, member] : members_) {
+        if (!member.stopped) member.session->poll(now_s_);
+      }
       session_.poll(now_s_);
       note_times();
       if (options_.signal && !signal && (signal = options_.signal())) {
@@ -74,10 +80,21 @@ class Harness final : public ProcessControl {
     return session;
   }
 
+  /// A new agent, as a new process is: under a nonce of its own.
+  void start(AgentId id) {
+    const std::uint64_t nonce = ++last_nonce_;
+    Member member;
+    member.port = bus_.attach(id, nonce);
+    member.session = std::make_unique<AgentSession>(id, nonce, *member.port, now_s_);
+    members_[id] = std::move(member);
+  }
+
   /// Until somebody has something to do.
   [[nodiscard]] double wait_s() const {
     double wait_s = session_.idle_s(now_s_);
-    for (const auto& [id, member] : members_) wait_s = std::min(wait_s, member.session->idle_s(now_s_));
+    for (const auto& [id, member] : members_) {
+      if (!member.stopped) wait_s = std::min(wait_s, member.session->idle_s(now_s_));
+    }
     return std::max(wait_s, kLeastWait_s);
   }
 
@@ -94,6 +111,7 @@ class Harness final : public ProcessControl {
   bus::MemoryBus bus_;
   WorldSession session_;
   PhaseTimes wall_;
+  std::uint64_t last_nonce_ = kWorldNonce;
   std::map<AgentId, Member> members_;
 };
 

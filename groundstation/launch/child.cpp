@@ -59,6 +59,29 @@ void Child::signal(int number) const {
   if (!status_) kill(pid_, number);
 }
 
+void Child::stop() const {
+  signal(SIGSTOP);
+  siginfo_t info{};
+  // its end is left to be reaped by status()
+  while (!status_ && waitid(P_PID, static_cast<id_t>(pid_), &info, WSTOPPED | WEXITED | WNOWAIT) != 0 &&
+         errno == EINTR) {
+  }
+}
+
+bool Child::stopped() const {
+  siginfo_t info{};
+  return !status_ && waitid(P_PID, static_cast<id_t>(pid_), &info, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+         info.si_pid == pid_;
+}
+
+void Child::kill_and_reap() {
+  signal(SIGKILL);
+  int status = 0;
+  while (!status_) {
+    if (waitpid(pid_, &status, 0) == pid_) status_ = status;
+  }
+}
+
 std::string describe_status(int wait_status) {
   if (WIFSIGNALED(wait_status)) {
     return fmt::format("signal {} ({})", WTERMSIG(wait_status), strsignal(WTERMSIG(wait_status)));

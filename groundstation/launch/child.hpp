@@ -21,6 +21,11 @@ class Child {
   std::optional<int> status();
   [[nodiscard]] bool running() { return !status().has_value(); }
   void signal(int number) const;
+  /// Stops the child (SIGSTOP), and returns once it is stopped or has ended.
+  void stop() const;
+  [[nodiscard]] bool stopped() const;
+  /// Kills the child, and returns once it has ended.
+  void kill_and_reap();
 
  private:
   pid_t pid_;

@@ -47,22 +47,19 @@ void Launcher::start_agents(const std::vector<AgentId>& ids) {
   for (std::size_t first = 0; first < ids.size(); first += plan_.per_process) {
     const std::size_t count = std::min(plan_.per_process, ids.size() - first);
     const auto begin = ids.begin() + static_cast<std::ptrdiff_t>(first);
-    const std::vector<AgentId> own(begin, begin + static_cast<std::ptrdiff_t>(count));
-    std::vector<std::string> arguments = plan_.agent_arguments;
-    arguments.insert(arguments.end(), {"--id", text_of(own)});
-    const std::string log = fmt::format("{}/agent-{}.log", plan_.out, text_of(own));
-    processes_.push_back(
-        std::make_unique<Process>(Process{Child(plan_.binaries + "/skein-agent", arguments, log, -1), own}));
-    const pid_t pid = processes_.back()->child.pid();
-    for (const AgentId id : own) records_[id].pid = pid;
-    channel_->send({{"started", own}, {"pid", pid}});
+    start(groups_.emplace_back(Group{{begin, begin + static_cast<std::ptrdiff_t>(count)}, nullptr, 0}));
   }
 }
 
-Launcher::Process* Launcher::process_of(AgentId id) {
-  const auto found = std::ranges::find_if(
-      processes_, [&](const auto& process) { return std::ranges::find(process->ids, id) != process->ids.end(); });
-  return found == processes_.end() ? nullptr : found->get();
+void Launcher::start(Group& group) {
+  const std::string ids = text_of(group.ids);
+  std::vector<std::string> arguments = plan_.agent_arguments;
+  arguments.insert(arguments.end(), {"--id", ids});
+  const std::string log = fmt::format("{}/agent-{}.log", plan_.out, ids);
+  group.child = std::make_unique<Child>(plan_.binaries + "/skein-agent", arguments, log, -1);
+  group.record = records_.size();
+  for (const AgentId id : group.ids) records_.push_back({.id = id, .pid = group.child->pid()});
+  channel_->send({{"started", group.ids}, {"pid", group.child->pid()}});
 }
 
 void Launcher::take_messages() {
@@ -70,13 +67,37 @@ void Launcher::take_messages() {
     if (const auto ids = message->find("launch"); ids != message->end() && !signal_) {
       start_agents(ids->get<std::vector<AgentId>>());
     }
-    if (const auto id = message->find("kill"); id != message->end()) {
-      if (const Process* process = process_of(id->get<AgentId>())) process->child.signal(SIGKILL);
-    }
+    act_on(*message);
     if (const auto progress = message->find("progress"); progress != message->end()) {
       if (progress->value("phase", "") == "flying") note_memory();
       if (plan_.on_progress) plan_.on_progress(*progress);
     }
+  }
+}
+
+/// Faults on purpose: they befall the process of an agent, and with it all that share it. What a kill or the end of a
+/// restarted process came to, the world hears as any other end.
+void Launcher::act_on(const nlohmann::json& message) {
+  for (const char* order : {"kill", "cont", "stop", "restart"}) {
+    const auto id = message.find(order);
+    if (id == message.end()) continue;
+    const auto group = std::ranges::find_if(
+        groups_, [&](const Group& each) { return std::ranges::find(each.ids, id->get<AgentId>()) != each.ids.end(); });
+    if (group != groups_.end()) act_on(*group, order, id->get<AgentId>());
+  }
+}
+
+void Launcher::act_on(Group& group, std::string_view order, AgentId id) {
+  if (order == "kill") group.child->signal(SIGKILL);
+  if (order == "cont") group.child->signal(SIGCONT);
+  if (order == "stop") {
+    group.child->stop();
+    channel_->send({{"stopped", id}});
+  }
+  if (order == "restart" && !signal_) {
+    group.child->kill_and_reap();
+    note_end(group);
+    start(group);
   }
 }
 
@@ -88,37 +109,42 @@ void Launcher::take_signals() {
       signalled_s_ = steady_now_s();
       world_->signal(*number);
     } else {
-      for (const auto& process : processes_) process->child.signal(SIGKILL);
+      for (const Group& group : groups_) group.child->signal(SIGKILL);
       world_->signal(SIGKILL);
     }
   }
 }
 
 void Launcher::reap() {
-  for (const auto& process : processes_) {
-    if (records_[process->ids.front()].wait_status || process->child.running()) continue;
-    for (const AgentId id : process->ids) records_[id].wait_status = process->child.status();
-    channel_->send({{"ended", process->ids}, {"pid", process->child.pid()}, {"status", *process->child.status()}});
+  for (Group& group : groups_) {
+    if (!group.child->running()) note_end(group);
   }
+}
+
+void Launcher::note_end(Group& group) {
+  if (records_[group.record].wait_status) return;
+  for (std::size_t i = 0; i < group.ids.size(); ++i) records_[group.record + i].wait_status = group.child->status();
+  channel_->send({{"ended", group.ids}, {"pid", group.child->pid()}, {"status", *group.child->status()}});
 }
 
 void Launcher::note_memory() {
   if (std::exchange(memory_noted_, true)) return;
-  for (const auto& process : processes_) {
-    std::optional<double> share_mb = pss_mb(process->child.pid());
-    if (share_mb) *share_mb /= static_cast<double>(process->ids.size());
-    for (const AgentId id : process->ids) records_[id].pss_mb = share_mb;
+  for (const Group& group : groups_) {
+    std::optional<double> share_mb = pss_mb(group.child->pid());
+    if (share_mb) *share_mb /= static_cast<double>(group.ids.size());
+    for (std::size_t i = 0; i < group.ids.size(); ++i) records_[group.record + i].pss_mb = share_mb;
   }
 }
 
 bool Launcher::agents_running() {
-  return std::ranges::any_of(processes_, [](const auto& process) { return process->child.running(); });
+  return std::ranges::any_of(groups_, [](const Group& group) { return group.child->running(); });
 }
 
 void Launcher::end_agents() {
   for (const int number : {0, SIGTERM, SIGKILL}) {
-    for (const auto& process : processes_) {
-      if (number != 0 && process->child.running()) process->child.signal(number);
+    for (const Group& group : groups_) {
+      if (number != 0 && group.child->running()) group.child->signal(number);
+      if (group.child->stopped()) group.child->signal(SIGKILL);  // it cannot end by itself
     }
     const double until_s = steady_now_s() + (signal_ && number == 0 ? 0.5 : kGrace_s);
     while (agents_running() && steady_now_s() < until_s) {

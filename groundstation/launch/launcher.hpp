@@ -36,9 +36,10 @@ struct LaunchPlan {
 
 /// How one agent's process went; the same for all that share it.
 struct AgentProcess {
+  unsigned id = 0;
   pid_t pid = 0;
-  std::optional<int> wait_status;
-  std::optional<double> pss_mb;  ///< when the flight began, the agent's share
+  std::optional<int> wait_status = {};
+  std::optional<double> pss_mb = {};  ///< when the flight began, the agent's share
 };
 
 class Launcher {
@@ -49,22 +50,26 @@ class Launcher {
   /// Runs until every process has ended. @return the world's wait status. @throws StartFailure
   int run();
 
-  [[nodiscard]] const std::map<unsigned, AgentProcess>& agents() const { return records_; }
+  /// All that were started, in that order: several of one agent, if it was restarted.
+  [[nodiscard]] const std::vector<AgentProcess>& agents() const { return records_; }
   /// The first SIGINT or SIGTERM that the launcher got.
   [[nodiscard]] std::optional<int> signal() const { return signal_; }
 
  private:
-  /// A child with one agent or more.
-  struct Process {
-    Child child;
+  /// Agents that share a process, and the process that they have now.
+  struct Group {
     std::vector<AgentId> ids;
+    std::unique_ptr<Child> child;
+    std::size_t record = 0;  ///< of the first
   };
-  [[nodiscard]] Process* process_of(AgentId id);
-
   void start_agents(const std::vector<AgentId>& ids);
+  void start(Group& group);
   void take_messages();
+  void act_on(const nlohmann::json& message);
+  void act_on(Group& group, std::string_view order, AgentId id);
   void take_signals();
   void reap();
+  void note_end(Group& group);
   void note_memory();
   void end_agents();
   [[nodiscard]] bool agents_running();
@@ -73,8 +78,8 @@ class Launcher {
   SignalWatch signals_;
   std::unique_ptr<ControlChannel> channel_;
   std::unique_ptr<Child> world_;
-  std::vector<std::unique_ptr<Process>> processes_;
-  std::map<unsigned, AgentProcess> records_;
+  std::vector<Group> groups_;
+  std::vector<AgentProcess> records_;
   std::optional<int> signal_;
   double signalled_s_ = 0.0;
   bool memory_noted_ = false;

@@ -31,7 +31,7 @@ void check_lists(Checker& check, const wire::Beacon& sample) {
 }
 
 void check_state(Checker& check, const wire::Beacon& sample) {
-  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Leaving, "beacon.mode");
+  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Rejoined, "beacon.mode");
   check.enumerator(sample.failing(), Constraint::None, Constraint::Terrain, "beacon.failing");
   if (sample.failing_peer() != 0) check.agent(sample.failing_peer(), "beacon.failing_peer");
   check.pose(sample.own(), "beacon.own");

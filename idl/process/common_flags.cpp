@@ -1,8 +1,10 @@
 #include "idl/process/common_flags.hpp"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -66,6 +68,13 @@ std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv) {
     std::cerr << app.get_name() << ": " << error.what() << " (see --help)\n";
     return 2;
   }
+}
+
+void keep_standard_streams() {
+  // the lowest free descriptor is taken: a closed one of the three, until none is left
+  int lowest = open("/dev/null", O_RDWR);
+  while (lowest >= 0 && lowest <= STDERR_FILENO) lowest = open("/dev/null", O_RDWR);
+  if (lowest >= 0) close(lowest);
 }
 
 void start_log(const std::string& name, const CommonFlags& flags) {

@@ -27,6 +27,10 @@ void add_common_flags(CLI::App& app, CommonFlags& flags);
 /// or 2.
 [[nodiscard]] std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv);
 
+/// Opens /dev/null for each of the standard streams that is closed, so that no file or socket takes its place. First
+/// thing in every main.
+void keep_standard_streams();
+
 /// Logs of this process go to standard error, each line named after `name`.
 void start_log(const std::string& name, const CommonFlags& flags);
 

@@ -1,7 +1,7 @@
 // The line between the launcher and the world: one JSON object a message over an inherited socket pair.
 //
-// world -> launcher:  {"launch": IDS}, {"kill": ID}, {"progress": {...}}
-// launcher -> world:  {"started": IDS, "pid": PID}, {"ended": IDS, "pid": PID, "status": STATUS}
+// world -> launcher:  {"launch": IDS}, {"kill": ID}, {"stop": ID}, {"cont": ID}, {"restart": ID}, {"progress": {...}}
+// launcher -> world:  {"started": IDS, "pid": PID}, {"stopped": ID}, {"ended": IDS, "pid": PID, "status": STATUS}
 // IDS is the list of the agents of a process (of `launch`: of all that shall run); all of them end at once.
 // Messages keep their boundaries (SOCK_SEQPACKET); both ends see it at once when the other is gone.
 #pragma once

@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace skein {
 namespace {
 
 constexpr std::size_t kNamed = 12;  ///< obstacles in one line at most
+constexpr double kFresh_s = 1.0;    ///< a newcomer that was not heard for longer may be gone again
 
 }  // namespace
 
@@ -20,25 +22,23 @@ void Admission::refuse(std::uint64_t nonce, RefusalReason reason) {
   if (std::ranges::find(refused_, nonce, &Refusal::nonce) == refused_.end()) refused_.push_back({nonce, reason});
 }
 
-void Admission::introduce(const Beacon& beacon, double now_s) {
-  if (!std::ranges::binary_search(ids_, beacon.agent)) return refuse(beacon.nonce, RefusalReason::UnknownId);
-  if (closed_) {
-    const auto held = holders_.find(beacon.agent);
-    // A late copy of the holder's own introduction is no newcomer.
-    if (held == holders_.end() || held->second.nonce != beacon.nonce) {
-      refuse(beacon.nonce, held == holders_.end() ? RefusalReason::RunStarted : RefusalReason::IdInUse);
-    }
-    return;
+bool Admission::introduce(const Beacon& beacon, double now_s, std::uint32_t round) {
+  if (!std::ranges::binary_search(ids_, beacon.agent)) {
+    refuse(beacon.nonce, RefusalReason::UnknownId);
+    return false;
   }
+  const auto gone = gone_from_.find(beacon.nonce);
+  if (gone != gone_from_.end() && beacon.round < gone->second) return false;
   auto [found, fresh] = holders_.try_emplace(beacon.agent);
   Holder& holder = found->second;
   if (!fresh && holder.nonce != beacon.nonce) {
-    if (now_s - holder.heard_s < silence_s_) {
-      holder.challenger = beacon.nonce;
-      return;
+    if (holder.live || now_s - holder.heard_s < silence_s_) {
+      challenge(holder, beacon.nonce, round);
+      return true;
     }
     holder = Holder{};
   }
+  if (holder.live) return false;  // a late copy of its own introduction
   holder.nonce = beacon.nonce;
   holder.has_mission = beacon.run == run_;
   holder.matched = beacon.matched;
@@ -46,10 +46,66 @@ void Admission::introduce(const Beacon& beacon, double now_s) {
   holder.heard_s = now_s;
   if (holder.challenger) refuse(*holder.challenger, RefusalReason::IdInUse);
   holder.challenger.reset();
+  return false;
+}
+
+void Admission::challenge(Holder& holder, std::uint64_t nonce, std::uint32_t round) {
+  if (holder.challenger == nonce) return;
+  holder.challenger = nonce;
+  holder.challenged_round = round;
 }
 
 void Admission::forget(std::uint64_t nonce) {
-  std::erase_if(holders_, [&](const auto& entry) { return entry.second.nonce == nonce; });
+  std::erase_if(holders_, [&](const auto& entry) { return entry.second.nonce == nonce && !entry.second.live; });
+}
+
+void Admission::forget_newcomer(AgentId id) {
+  std::erase_if(holders_, [&](const auto& entry) { return entry.first == id && !entry.second.live; });
+}
+
+void Admission::close() {
+  closed_ = true;
+  for (auto& [id, holder] : holders_) {
+    holder.live = true;
+    incarnations_[id] = 1;
+  }
+}
+
+void Admission::answered(AgentId id, std::uint32_t round) {
+  const auto found = holders_.find(id);
+  if (found == holders_.end() || !found->second.challenger || round <= found->second.challenged_round) return;
+  refuse(*found->second.challenger, RefusalReason::IdInUse);
+  found->second.challenger.reset();
+}
+
+void Admission::lose(AgentId id, std::uint32_t round, bool may_return) {
+  const auto found = holders_.find(id);
+  if (found == holders_.end() || !found->second.live) return;
+  gone_from_[found->second.nonce] = may_return ? round : std::numeric_limits<std::uint32_t>::max();
+  holders_.erase(found);
+}
+
+bool Admission::has_newcomers() const {
+  return closed_ && std::ranges::any_of(holders_, [](const auto& entry) { return !entry.second.live; });
+}
+
+std::vector<RosterEntry> Admission::returning(std::span<const std::uint64_t> world_matched,
+                                              std::span<const std::uint64_t> live, double now_s) const {
+  std::vector<RosterEntry> back;
+  if (!closed_) return back;
+  for (const auto& [id, holder] : holders_) {
+    const auto sees = [&](std::uint64_t nonce) { return std::ranges::binary_search(holder.matched, nonce); };
+    if (holder.live || !holder.has_mission || now_s - holder.heard_s > kFresh_s) continue;
+    if (!std::ranges::binary_search(world_matched, holder.nonce) || !sees(world_nonce_)) continue;
+    if (!std::ranges::all_of(live, sees)) continue;
+    back.push_back({id, incarnations_.at(id) + 1, holder.nonce, false, false});
+  }
+  return back;
+}
+
+void Admission::admit(const RosterEntry& entry) {
+  holders_.at(entry.agent).live = true;
+  incarnations_[entry.agent] = entry.incarnation;
 }
 
 bool Admission::complete(AgentId id, std::span<const std::uint64_t> world_matched) const {

@@ -4,6 +4,11 @@
 // it; a newcomer with a held id is refused as soon as the holder is heard after it, and takes the id over when the
 // holder stays silent for the deadline. Ready: every vehicle's agent has the mission, and every pair of processes, the
 // world included, says of each other that all endpoints are matched.
+//
+// Once the run has started, a live agent holds its id: a newcomer waits, is refused when the holder answers a later
+// tick, and takes the id over when the holder is lost. Who was dropped may come back under its old nonce once it has
+// heard a tick that does not name it; what it said before is a late copy. Who comes back is ready when it has the
+// mission, the world and it are matched, and it is matched with every live agent; it gets the next incarnation.
 #pragma once
 
 #include <map>
@@ -21,13 +26,29 @@ class Admission {
   /// @param ids the vehicles' ids, ascending. @param silence_s after which a holder loses its id.
   Admission(std::uint64_t run, std::uint64_t world_nonce, std::vector<AgentId> ids, double silence_s);
 
-  /// Takes an introduction (incarnation 0) that arrived at `now_s`.
-  void introduce(const Beacon& beacon, double now_s);
-  /// A process said goodbye, or is known to have ended: it no longer holds its id.
+  /// Takes an introduction (incarnation 0) that arrived at `now_s`, while round `round` is open.
+  /// @return whether its id is held by another process
+  bool introduce(const Beacon& beacon, double now_s, std::uint32_t round = 0);
+  /// A process that is not live said goodbye: it no longer holds its id.
   void forget(std::uint64_t nonce);
-  /// Refuses every newcomer from now on: the roster is fixed.
-  void close() { closed_ = true; }
+  /// The process with this id has ended: if it is not live, it no longer holds its id.
+  void forget_newcomer(AgentId id);
+
+  /// The run starts: every holder is live, under incarnation 1.
+  void close();
   [[nodiscard]] bool closed() const { return closed_; }
+  /// A live agent has answered round `round`.
+  void answered(AgentId id, std::uint32_t round);
+  /// A live agent is lost. @param may_return its process may come back, once it has heard a tick of `round` or later
+  void lose(AgentId id, std::uint32_t round, bool may_return);
+  /// The agents that are ready to come back, by ascending id, each under its next incarnation; empty before the start.
+  /// @param live nonces of the live agents that they must be matched with
+  [[nodiscard]] std::vector<RosterEntry> returning(std::span<const std::uint64_t> world_matched,
+                                                   std::span<const std::uint64_t> live, double now_s) const;
+  /// Whether anybody asks to come back.
+  [[nodiscard]] bool has_newcomers() const;
+  /// The entry, of returning(), is live from now on.
+  void admit(const RosterEntry& entry);
 
   /// Vehicles whose agent has introduced itself.
   [[nodiscard]] std::size_t introduced() const { return holders_.size(); }
@@ -51,8 +72,11 @@ class Admission {
     bool has_mission = false;
     std::vector<std::uint64_t> matched;
     double heard_s = 0.0;
+    bool live = false;
     std::optional<std::uint64_t> challenger;
+    std::uint32_t challenged_round = 0;
   };
+  static void challenge(Holder& holder, std::uint64_t nonce, std::uint32_t round);
   [[nodiscard]] bool complete(AgentId id, std::span<const std::uint64_t> world_matched) const;
   void refuse(std::uint64_t nonce, RefusalReason reason);
 
@@ -62,6 +86,8 @@ class Admission {
   double silence_s_;
   bool closed_ = false;
   std::map<AgentId, Holder> holders_;
+  std::map<AgentId, std::uint32_t> incarnations_;     ///< given so far
+  std::map<std::uint64_t, std::uint32_t> gone_from_;  ///< nonces that were lost: the first round without them
   std::vector<Refusal> refused_;
 };
 

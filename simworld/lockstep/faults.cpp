@@ -2,12 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace skein {
 namespace {
 
-constexpr std::string_view kForm = "allowed: kill:ID@plan:ROUND or kill:ID@fly:STEP";
+constexpr std::string_view kForm = "allowed: kill|stop|cont|restart:ID@plan:ROUND or @fly:STEP";
+constexpr std::array<std::string_view, 4> kKinds{"kill", "stop", "cont", "restart"};
 
 /// The number that fills the whole text, at least 1.
 std::optional<std::uint32_t> number(std::string_view text) {
@@ -33,7 +36,8 @@ ParsedFault wrong(std::string_view text, std::string_view what) {
 }  // namespace
 
 std::string text_of(const Fault& fault) {
-  return fmt::format("kill:{}@{}:{}", fault.agent, fault.phase == Phase::Planning ? "plan" : "fly", fault.at);
+  return fmt::format("{}:{}@{}:{}", kKinds.at(static_cast<std::size_t>(fault.kind)), fault.agent,
+                     fault.phase == Phase::Planning ? "plan" : "fly", fault.at);
 }
 
 ParsedFault parse_fault(std::string_view text) {
@@ -42,13 +46,16 @@ ParsedFault parse_fault(std::string_view text) {
   const auto agent = kind ? cut(rest, '@') : std::nullopt;
   const auto phase = agent ? cut(rest, ':') : std::nullopt;
   if (!phase) return wrong(text, "not of the form KIND:ID@PHASE:NUMBER");
-  if (*kind != "kill") return wrong(text, fmt::format("unknown kind '{}'", *kind));
+  const auto place = std::ranges::find(kKinds, *kind);
+  if (place == kKinds.end()) return wrong(text, fmt::format("unknown kind '{}'", *kind));
   if (*phase != "plan" && *phase != "fly") return wrong(text, fmt::format("unknown phase '{}'", *phase));
   const auto id = number(*agent);
   if (!id || *id > kMaxAgents) return wrong(text, fmt::format("'{}' is no agent id", *agent));
   const auto at = number(rest);
   if (!at) return wrong(text, fmt::format("'{}' is no round or step", rest));
-  return {Fault{FaultKind::Kill, *id, *phase == "plan" ? Phase::Planning : Phase::Flying, *at}, {}};
+  return {Fault{static_cast<FaultKind>(place - kKinds.begin()), *id, *phase == "plan" ? Phase::Planning : Phase::Flying,
+                *at},
+          {}};
 }
 
 }  // namespace skein

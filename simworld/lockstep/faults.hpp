@@ -1,7 +1,7 @@
 // Faults on purpose: what shall happen to which agent, at which tick.
 //
-// Written `kill:ID@plan:ROUND` or `kill:ID@fly:STEP`. The world holds that tick until the effect is confirmed, so that
-// a fault takes place at the same point of every run.
+// Written `KIND:ID@plan:ROUND` or `KIND:ID@fly:STEP`. The world holds that tick until the effect is confirmed, so that
+// a fault takes place at the same point of every run (simworld/lockstep/interventions.hpp).
 #pragma once
 
 #include <optional>
@@ -12,7 +12,12 @@
 
 namespace skein {
 
-enum class FaultKind : std::uint8_t { Kill };
+enum class FaultKind : std::uint8_t {
+  Kill,     ///< SIGKILL to the agent's process
+  Stop,     ///< SIGSTOP: it falls silent, and the deadline drops it
+  Cont,     ///< SIGCONT: a dropped agent comes back
+  Restart,  ///< kills the process, if there is one, and starts another
+};
 
 struct Fault {
   FaultKind kind = FaultKind::Kill;

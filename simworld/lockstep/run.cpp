@@ -23,6 +23,13 @@ const Beacon& beacon_of(const Barrier& answers, AgentId agent) {
   return *answer->beacon;
 }
 
+/// The beacon of this very incarnation, if it answered.
+const Beacon* own_beacon(const Barrier& answers, const RosterEntry& entry) {
+  const Answer* answer = answers.answer_of(entry.agent);
+  const bool own = answer != nullptr && answer->beacon && answer->beacon->incarnation == entry.incarnation;
+  return own ? &*answer->beacon : nullptr;
+}
+
 /// A beacon of a failed agent may name another one: the peer of its separation, or the agent whose constraint fails.
 std::string planning_failure(const Barrier& answers, const Beacon& first) {
   const Answer* other = answers.answer_of(first.constraint_peer);
@@ -47,11 +54,12 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
   for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({.agent = vehicle.id});
 }
 
-Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost) {
+Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost, std::span<const RosterEntry> back) {
   roster_ = std::move(roster);
   phase_ = Phase::Planning;
   round_ = 1;
   drop(lost);
+  admit(back);
   date_changes(0);
   return compose(nullptr);
 }
@@ -59,12 +67,14 @@ Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost) {
 Moment Run::next(const Barrier& answers, std::span<const Loss> lost) const {
   if (phase_ == Phase::Flying) return {Phase::Flying, step_ + 1};
   const bool ready = std::ranges::all_of(roster_, [&](const RosterEntry& entry) {
-    return holds(lost, entry.agent) || beacon_of(answers, entry.agent).mode == AgentMode::Ready;
+    if (holds(lost, entry.agent)) return true;
+    const AgentMode mode = beacon_of(answers, entry.agent).mode;
+    return mode == AgentMode::Ready || mode == AgentMode::Rejoined;
   });
   return ready ? Moment{Phase::Flying, 1} : Moment{Phase::Planning, round_ + 1};
 }
 
-Tick Run::decide(const Barrier& answers, std::span<const Loss> lost) {
+Tick Run::decide(const Barrier& answers, std::span<const Loss> lost, std::span<const RosterEntry> back) {
   if (phase_ != Phase::Planning && phase_ != Phase::Flying) throw std::logic_error("no round is open");
   const std::size_t known = changes_.size();
   drop(lost);
@@ -73,6 +83,7 @@ Tick Run::decide(const Barrier& answers, std::span<const Loss> lost) {
   } else if (phase_ == Phase::Flying) {
     decide_flight(answers);
   }
+  admit(back);
   fold_hash(answers);
   ++round_;
   date_changes(known);
@@ -101,9 +112,19 @@ void Run::drop(std::span<const Loss> lost) {
   }
 }
 
+void Run::admit(std::span<const RosterEntry> back) {
+  if (finished()) return;
+  for (const RosterEntry& entry : back) {
+    changes_.push_back({0, 0, entry.agent, entry.incarnation, LossReason::Rejoined});
+    roster_.insert(std::ranges::lower_bound(roster_, entry.agent, {}, &RosterEntry::agent), entry);
+    world_.return_agent(entry.agent);
+  }
+}
+
 void Run::note_plan(const Barrier& answers) {
   for (const RosterEntry& entry : roster_) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
+    if (beacon.mode == AgentMode::Rejoined) continue;
     const auto figures = std::ranges::find(plan_, entry.agent, &PlanFigures::agent);
     *figures = {entry.agent, beacon.planned_length_m, beacon.cost, beacon.generation, std::move(figures->particle)};
     const auto& published = answers.answer_of(entry.agent)->representative;
@@ -111,10 +132,11 @@ void Run::note_plan(const Barrier& answers) {
   }
 }
 
-void Run::note_spread() {
+void Run::note_spread(const Barrier& answers) {
   double least_m = std::numeric_limits<double>::infinity();
   double most_m = 0.0;
   for (const RosterEntry& entry : roster_) {
+    if (beacon_of(answers, entry.agent).mode == AgentMode::Rejoined) continue;
     const double length_m = std::ranges::find(plan_, entry.agent, &PlanFigures::agent)->length_m;
     least_m = std::min(least_m, length_m);
     most_m = std::max(most_m, length_m);
@@ -126,13 +148,18 @@ void Run::decide_planning(const Barrier& answers) {
   planning_rounds_ = round_;
   note_plan(answers);
   bool ready = true;
+  bool planned = false;
   for (const RosterEntry& entry : roster_) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
+    if (beacon.mode == AgentMode::Rejoined) continue;
     if (beacon.mode == AgentMode::Failed) return finish(planning_failure(answers, beacon));
     ready = ready && beacon.mode == AgentMode::Ready;
+    planned = true;
   }
-  if (ready) {
-    note_spread();
+  if (!planned) {
+    finish("no agent is left that took part in planning");
+  } else if (ready) {
+    note_spread(answers);
     phase_ = Phase::Flying;
     step_ = 1;
   } else if (round_ >= options_.max_rounds) {
@@ -163,7 +190,8 @@ void Run::fold_hash(const Barrier& answers) {
   hash.add(phase_).add(step_);
   world_.add_to(hash);
   for (const RosterEntry& entry : roster_) {
-    hash.add(entry.agent).add(entry.incarnation).add(beacon_of(answers, entry.agent).state_hash);
+    const Beacon* beacon = own_beacon(answers, entry);
+    hash.add(entry.agent).add(entry.incarnation).add(beacon == nullptr ? 0 : beacon->state_hash);
   }
   hash_ = hash.value();
 }
@@ -171,6 +199,18 @@ void Run::fold_hash(const Barrier& answers) {
 void Run::finish(std::string failure) {
   phase_ = Phase::Finished;
   failure_ = std::move(failure);
+}
+
+Sense Run::sense_of(const RosterEntry& entry) const {
+  const VehicleRecord& vehicle = world_.vehicle(entry.agent);
+  Sense sense;
+  sense.run = run_;
+  sense.agent = entry.agent;
+  sense.incarnation = entry.incarnation;
+  sense.round = round_;
+  sense.pose = pose_of(vehicle.state);
+  sense.velocity_mps = vehicle.state.velocity_mps;
+  return sense;
 }
 
 Tick Run::compose(const Barrier* answers) const {
@@ -182,8 +222,8 @@ Tick Run::compose(const Barrier* answers) const {
   tick.time_s = mission_.step_s * static_cast<double>(phase_ == Phase::Flying ? step_ - 1 : steps_flown_);
   tick.roster = roster_;
   for (RosterEntry& entry : tick.roster) {
-    const Answer* answer = answers == nullptr ? nullptr : answers->answer_of(entry.agent);
-    entry.representative = answer != nullptr && answer->beacon && answer->beacon->representative;
+    const Beacon* beacon = answers == nullptr ? nullptr : own_beacon(*answers, entry);
+    entry.representative = beacon != nullptr && beacon->representative;
     entry.sense = phase_ == Phase::Flying;
   }
   tick.world_hash = hash_;

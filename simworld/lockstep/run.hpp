@@ -3,7 +3,9 @@
 // A run plans in rounds of step 0, then flies one step a round. Deciding round k needs the answers of round k and who
 // is lost: tick k+1's roster decides what counts, so nothing of a lost agent does, even if it arrived.
 //   H(0) = mission hash;  H(k) = mix(H(k-1), world state, (id, incarnation, agent hash) of tick k+1's roster by id).
-// The same answers give the same ticks, whoever carries them: this is what makes runs repeat bit for bit.
+// An agent that comes back in tick k+1 has not answered round k: its agent hash counts as 0. It takes part from the
+// next planning on, and until then neither holds up the planning nor is waited for in the air. The same answers give
+// the same ticks, whoever carries them: this is what makes runs repeat bit for bit.
 #pragma once
 
 #include <optional>
@@ -57,13 +59,20 @@ class Run {
   Run(std::uint64_t run, const Mission& mission, const WorldOptions& options, bool fail_fast);
 
   /// The tick of round 1. @pre `roster` holds every vehicle's agent, ascending; some may be `lost` already.
-  [[nodiscard]] Tick begin(std::vector<RosterEntry> roster, std::span<const Loss> lost = {});
+  /// @param back comes back at once, though lost (see decide).
+  [[nodiscard]] Tick begin(std::vector<RosterEntry> roster, std::span<const Loss> lost = {},
+                           std::span<const RosterEntry> back = {});
 
   /// When the next tick will be, as far as the answers tell without those of `lost`.
   [[nodiscard]] Moment next(const Barrier& answers, std::span<const Loss> lost) const;
 
-  /// Decides the open round and gives the next tick. @pre every agent of the roster that is not in `lost` has answered.
-  [[nodiscard]] Tick decide(const Barrier& answers, std::span<const Loss> lost);
+  /// Decides the open round and gives the next tick. @param back agents that the next tick names again, under a new
+  /// incarnation; without effect if this round ends the run.
+  /// @pre every agent of the roster that is not in `lost` has answered; `back` are not of the roster without `lost`.
+  [[nodiscard]] Tick decide(const Barrier& answers, std::span<const Loss> lost, std::span<const RosterEntry> back = {});
+
+  /// What the agent of an entry of the newest tick senses with that tick.
+  [[nodiscard]] Sense sense_of(const RosterEntry& entry) const;
 
   [[nodiscard]] bool finished() const { return phase_ == Phase::Finished; }
   [[nodiscard]] Phase phase() const { return phase_; }
@@ -84,11 +93,12 @@ class Run {
 
  private:
   void drop(std::span<const Loss> lost);
+  void admit(std::span<const RosterEntry> back);
   void date_changes(std::size_t known);
   void decide_planning(const Barrier& answers);
   void decide_flight(const Barrier& answers);
   void note_plan(const Barrier& answers);
-  void note_spread();
+  void note_spread(const Barrier& answers);
   void fold_hash(const Barrier& answers);
   void finish(std::string failure);
   [[nodiscard]] Tick compose(const Barrier* answers) const;

@@ -60,11 +60,18 @@ Verdict Run::verdict() const {
   const std::string failure = mission_failure();
   std::string losses;
   for (const RosterChange& change : changes_) {
-    losses += fmt::format("{}agent {} was lost at step {}, round {}: {}", losses.empty() ? "" : "; ", change.agent,
-                          change.step, change.round, name_of(change.reason));
+    const std::string when = fmt::format("at step {}, round {}", change.step, change.round);
+    losses += losses.empty() ? "" : "; ";
+    if (change.reason == LossReason::Rejoined) {
+      losses += fmt::format("agent {} rejoined {}", change.agent, when);
+      continue;
+    }
+    losses += fmt::format("agent {} was lost {}: {}", change.agent, when, name_of(change.reason));
     if (failure.empty()) verdict.completed_without.push_back(change.agent);
   }
   std::ranges::sort(verdict.completed_without);
+  const auto twice = std::ranges::unique(verdict.completed_without);
+  verdict.completed_without.erase(twice.begin(), twice.end());
   const auto hit =
       std::ranges::find_if(world_.contacts(), [](const Contact& c) { return c.kind != ContactKind::NearMiss; });
   if (hit != world_.contacts().end()) {

@@ -4,17 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace skein {
 namespace {
 
-constexpr double kWaitingTick_s = 0.5;
 constexpr double kResend_s = 1.0;
-constexpr double kMission_s = 2.0;  ///< an agent that lacks the mission for so long gets it again
 constexpr double kGoodbye_s = 2.0;  ///< how long the final tick waits for its answers
-constexpr double kAway_s = 1.0;     ///< between two polls: the world itself was stopped, not the agents
+/// A reader of DDS that joins a stream of thousands of ticks a second may never find its place in it; a break is
+/// enough.
+constexpr double kPause_s = 0.1;
+constexpr double kAway_s = 1.0;       ///< between two polls: the world itself was stopped, not the agents
+constexpr double kPatience_s = 10.0;  ///< at least, for a process to end or to stop
 
 }  // namespace
 
@@ -24,12 +25,10 @@ WorldSession::WorldSession(const Scenario& scenario, SessionOptions options, bus
       deadline_s_(scenario.lockstep.deadline_s),
       options_(std::move(options)),
       port_(port),
-      control_(control),
+      pacer_(options_.pace, scenario.mission.step_s),
       run_(options_.run, scenario.mission, scenario.world, options_.fail_fast),
-      admission_(options_.run, options_.nonce, ids_of(scenario.mission), deadline_s_) {
-  if (control_ == nullptr && !options_.faults.empty()) {
-    throw std::invalid_argument("faults need a launcher that can end processes");
-  }
+      admission_(options_.run, options_.nonce, ids_of(scenario.mission), deadline_s_),
+      interventions_(std::move(options_.faults), std::move(options_.replay), control) {
   times_.created_s = now_s;
   tick_.run = options_.run;
   if (options_.settle_s <= 0.0) publish_mission(now_s);
@@ -66,9 +65,11 @@ void WorldSession::act(double now_s) {
 }
 
 double WorldSession::idle_s(double now_s) const {
+  if (state_ == State::Running && now_s < pause_until_s_) return pause_until_s_ - now_s;
   double due_s = last_sent_s_ + (state_ == State::Waiting ? kWaitingTick_s : kResend_s);
-  if (state_ == State::Running && !awaited_.empty()) due_s = awaited_since_s_ + deadline_s_;
+  if (state_ == State::Running && interventions_.holding() && !interventions_.awaits_return()) return kWaitingTick_s;
   if (state_ == State::Closing) due_s = barrier_.opened_s() + kGoodbye_s;
+  if (state_ == State::Running && barrier_.complete()) due_s = std::min(due_s, pacer_.due_s());
   return std::clamp(due_s - now_s, 0.0, kWaitingTick_s);
 }
 
@@ -91,12 +92,18 @@ void WorldSession::on_sample(const wire::Beacon& sample, double now_s) {
     if (!admission_.closed()) return admission_.forget(beacon.nonce);
     // the goodbye of a process that was never admitted, under an id that another one holds, loses nobody
     const auto entry = std::ranges::find(tick_.roster, beacon.nonce, &RosterEntry::nonce);
-    if (entry != tick_.roster.end() && entry->agent == beacon.agent) add_loss(beacon.agent, LossReason::Left);
+    if (entry == tick_.roster.end()) return admission_.forget(beacon.nonce);
+    if (entry->agent == beacon.agent) add_loss(beacon.agent, LossReason::Left);
     return;
   }
-  if (beacon.incarnation == 0) return admission_.introduce(beacon, now_s);
-  if (!beacon.closes_round) return serve_needs(beacon, now_s);
+  if (beacon.incarnation == 0) {
+    const bool challenges = admission_.introduce(beacon, now_s, tick_.round);
+    if (challenges && state_ == State::Running && beacon.round == 0) pause_until_s_ = now_s + kPause_s;
+    return;
+  }
+  if (!beacon.closes_round) return repeat(repeats_.asked_by(beacon), now_s);
   if (barrier_.accept(beacon)) {
+    admission_.answered(beacon.agent, beacon.round);
     ++topics_.beacon.samples;
     topics_.beacon.bytes += wire::Beacon::getCdrSerializedSize(sample);
   }
@@ -114,59 +121,24 @@ void WorldSession::on_sample(const wire::Representative& sample, double /*now_s*
   }
 }
 
-void WorldSession::serve_needs(const Beacon& beacon, double now_s) {
-  for (const Need& need : beacon.needs) {
-    const auto found = repeatable_.find(need.agent);
-    if (found == repeatable_.end() || found->second.round != need.round) continue;
-    TopicCount repeated;  // the sender's sample was counted when it arrived
-    send(found->second, repeated, now_s);
-  }
-}
-
-void WorldSession::poll_waiting(double now_s) {
-  if (topics_.mission.samples == 0) {
-    if (now_s - times_.created_s < options_.settle_s) return;
-    publish_mission(now_s);
-  }
-  world_matched_ = port_.matched();
-  if (const auto roster = admission_.roster(world_matched_); roster && !admission_.closed()) {
-    admission_.close();
-    tick_.roster = *roster;
-  }
-  if (admission_.closed()) return start(now_s);
-  if (now_s - times_.created_s > options_.startup_timeout_s) {
-    const std::string missing = fmt::format("{}", fmt::join(admission_.missing(world_matched_), ", "));
-    return refuse_start(fmt::format("start-up timed out after {} s: {} of {} agents matched; missing: {} ({})",
-                                    options_.startup_timeout_s, matched(), mission_.vehicles.size(), missing,
-                                    admission_.obstacles(world_matched_)),
-                        now_s);
-  }
-  if (!admission_.lacks_mission()) all_have_mission_s_ = now_s;
-  if (now_s - std::max(all_have_mission_s_, mission_sent_s_) >= kMission_s) publish_mission(now_s);
-  if (now_s - last_sent_s_ >= kWaitingTick_s) publish_tick(now_s);
-}
-
-/// Opens round 1, unless a fault on purpose holds it.
-void WorldSession::start(double now_s) {
-  if (held_by_fault({Phase::Planning, 1}, now_s)) return;
-  replay_losses(1);
-  state_ = State::Running;
-  times_.started_s = now_s;
-  const Tick first = run_.begin(tick_.roster, std::exchange(lost_, {}));
-  if (first.phase == Phase::Finished) close(now_s);
-  open(first, now_s);
+/// The senders' own samples were counted when they arrived.
+void WorldSession::repeat(const std::vector<Representative>& samples, double now_s) {
+  for (TopicCount repeated; const Representative& sample : samples) send(sample, repeated, now_s);
 }
 
 void WorldSession::poll_running(double now_s) {
+  if (now_s < pause_until_s_) return;
   drop_silent(now_s);
-  if (!awaited_.empty() || barrier_.complete()) {
-    if (!held_by_fault(run_.next(barrier_, lost_), now_s)) advance(now_s);
-  } else if (now_s - last_sent_s_ >= kResend_s) {
-    publish_tick(now_s);
-    for (const AgentId agent : barrier_.waiting_for()) {
-      const auto entry = std::ranges::find(tick_.roster, agent, &RosterEntry::agent);
-      if (entry->sense) publish_sense(*entry, now_s);
-    }
+  const bool paused = barrier_.complete() && !pacer_.may_open(now_s);
+  if (!paused && (interventions_.holding() || barrier_.complete())) {
+    if (!is_held(now_s)) return advance(now_s);
+    if (!interventions_.awaits_return()) return;  // who is to come back must hear that it was dropped
+  }
+  if (state_ != State::Running || now_s - last_sent_s_ < kResend_s) return;
+  publish_tick(now_s);
+  for (const AgentId agent : barrier_.waiting_for()) {
+    const auto entry = std::ranges::find(tick_.roster, agent, &RosterEntry::agent);
+    if (entry->sense) publish_sense(*entry, now_s);
   }
 }
 
@@ -175,70 +147,84 @@ void WorldSession::poll_closing(double now_s) {
 }
 
 void WorldSession::drop_silent(double now_s) {
-  if (!awaited_.empty() || now_s - barrier_.opened_s() - away_s_ < deadline_s_) return;
+  if (interventions_.holding() || now_s - barrier_.opened_s() - away_s_ < deadline_s_) return;
   for (const AgentId agent : barrier_.waiting_for()) add_loss(agent, LossReason::Deadline);
 }
 
+bool WorldSession::is_live(AgentId agent) const {
+  return std::ranges::find(tick_.roster, agent, &RosterEntry::agent) != tick_.roster.end() &&
+         std::ranges::find(lost_, agent, &Loss::agent) == lost_.end();
+}
+
 void WorldSession::add_loss(AgentId agent, LossReason reason) {
-  const bool live = std::ranges::find(tick_.roster, agent, &RosterEntry::agent) != tick_.roster.end();
-  if (!live || std::ranges::find(lost_, agent, &Loss::agent) != lost_.end()) return;
+  if (!is_live(agent)) return;
   lost_.push_back({agent, reason});
   barrier_.excuse(agent);
+  admission_.lose(agent, run_.rounds() + 1, reason == LossReason::Deadline);
 }
 
 void WorldSession::process_ended(AgentId agent, double now_s) {
-  std::erase_if(awaited_, [&](const Fault& fault) { return fault.agent == agent; });
+  interventions_.process_ended(agent);
   if (!admission_.closed()) {
     lost_before_start_ = true;
     refuse_start(fmt::format("agent {} ended before the run started", agent), now_s);
   } else {
+    admission_.forget_newcomer(agent);
     add_loss(agent, LossReason::ProcessEnded);
   }
 }
 
-bool WorldSession::held_by_fault(const Moment& moment, double now_s) {
-  for (auto fault = options_.faults.begin(); fault != options_.faults.end();) {
-    const bool due = Moment{fault->phase, fault->at} == moment;
-    const bool live = std::ranges::find(tick_.roster, fault->agent, &RosterEntry::agent) != tick_.roster.end();
-    if (due && live && std::ranges::find(lost_, fault->agent, &Loss::agent) == lost_.end()) {
-      awaited_.push_back(*fault);
-      awaited_since_s_ = now_s;
-      control_->kill(fault->agent);
-    }
-    fault = due && live ? options_.faults.erase(fault) : std::next(fault);
+/// Does what is due at the coming tick. @return whether that tick has to wait; if not, `back_` comes back with it
+bool WorldSession::is_held(double now_s) {
+  for (const Loss& loss : interventions_.repeat(run_.rounds() + 1, tick_.roster, now_s)) {
+    add_loss(loss.agent, loss.reason);
+    interventions_.end(loss.agent);
   }
-  if (!awaited_.empty() && now_s - awaited_since_s_ > deadline_s_) {
-    interrupt(fmt::format("the fault on agent {} took no effect within {} s", awaited_.front().agent, deadline_s_),
-              now_s);
-    return true;
+  for (bool busy = true; busy;) {
+    const Moment moment = run_.rounds() == 0 ? Moment{Phase::Planning, 1} : run_.next(barrier_, lost_);
+    busy = interventions_.holding();
+    busy = interventions_.carry_out(
+               moment, [this](AgentId agent) { return is_live(agent); }, now_s) ||
+           busy;
+    find_returning(now_s);
+    if (interventions_.holds(back_)) break;
+    if (!busy) return false;
   }
-  return !awaited_.empty();
+  const auto failure = interventions_.failure(now_s, std::max(deadline_s_, kPatience_s),
+                                              std::max(deadline_s_, options_.startup_timeout_s));
+  if (failure) interrupt(*failure, now_s);
+  return true;
 }
 
-void WorldSession::replay_losses(std::uint32_t round) {
-  std::erase_if(options_.replay, [&](const RosterChange& change) {
-    if (change.round != round) return false;
-    const auto entry = std::ranges::find(tick_.roster, change.agent, &RosterEntry::agent);
-    if (entry == tick_.roster.end() || entry->incarnation != change.incarnation) return false;
-    add_loss(change.agent, change.reason);
-    return true;
-  });
+void WorldSession::find_returning(double now_s) {
+  back_.clear();
+  if (!admission_.has_newcomers()) return;
+  world_matched_ = port_.matched();
+  std::vector<std::uint64_t> live;
+  for (const RosterEntry& entry : tick_.roster) {
+    if (is_live(entry.agent) && !interventions_.is_stopped(entry.agent)) live.push_back(entry.nonce);
+  }
+  back_ = admission_.returning(world_matched_, live, now_s);
+  std::erase_if(back_, [this](const RosterEntry& entry) { return !interventions_.may_return(entry.agent); });
 }
 
 void WorldSession::advance(double now_s) {
-  replay_losses(run_.rounds() + 1);
-  repeatable_.clear();
-  for (const RosterEntry& entry : tick_.roster) {
-    const Answer* answer = barrier_.answer_of(entry.agent);
-    if (answer->representative) repeatable_[entry.agent] = *answer->representative;
-  }
-  const Tick next = run_.decide(barrier_, lost_);
-  for (const Loss& loss : std::exchange(lost_, {})) {
-    admission_.forget(std::ranges::find(tick_.roster, loss.agent, &RosterEntry::agent)->nonce);
-  }
+  repeats_.keep(barrier_, tick_);
+  go_on(run_.decide(barrier_, std::exchange(lost_, {}), back_), now_s);
+}
+
+/// Opens `next`. Who comes back with it has not heard the samples that it counts: they go out once more.
+void WorldSession::go_on(const Tick& next, double now_s) {
   if (next.phase == Phase::Flying && times_.flying_s < 0.0) times_.flying_s = now_s;
   if (next.phase == Phase::Finished) close(now_s);
+  bool anybody_back = false;
+  for (const RosterEntry& entry : std::exchange(back_, {})) {
+    if (std::ranges::find(next.roster, entry.nonce, &RosterEntry::nonce) == next.roster.end()) continue;
+    admission_.admit(entry);
+    anybody_back = true;
+  }
   open(next, now_s);
+  if (anybody_back) repeat(repeats_.counted_by(next), now_s);
 }
 
 void WorldSession::close(double now_s) {
@@ -250,6 +236,7 @@ void WorldSession::open(const Tick& tick, double now_s) {
   tick_ = tick;
   away_s_ = 0.0;
   barrier_.open(tick_, now_s);
+  pacer_.opened(tick_.phase, now_s);
   for (const RosterEntry& entry : tick_.roster) {
     if (entry.sense) publish_sense(entry, now_s);
   }
@@ -268,21 +255,7 @@ void WorldSession::publish_tick(double now_s) {
 }
 
 void WorldSession::publish_sense(const RosterEntry& entry, double now_s) {
-  const VehicleRecord& vehicle = run_.world().vehicle(entry.agent);
-  Sense sense;
-  sense.run = options_.run;
-  sense.agent = entry.agent;
-  sense.incarnation = entry.incarnation;
-  sense.round = tick_.round;
-  sense.pose = pose_of(vehicle.state);
-  sense.velocity_mps = vehicle.state.velocity_mps;
-  send(sense, topics_.sense, now_s);
-}
-
-void WorldSession::refuse_start(const std::string& reason, double now_s) {
-  if (state_ != State::Waiting) return;
-  start_failure_ = reason;
-  interrupt(reason, now_s);
+  send(run_.sense_of(entry), topics_.sense, now_s);
 }
 
 void WorldSession::interrupt(std::string reason, double now_s) {

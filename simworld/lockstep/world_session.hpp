@@ -4,12 +4,12 @@
 // While it waits it publishes a tick of phase `waiting` every 0.5 s, and the mission again every 2 s while an agent
 // that introduced itself lacks it. A round advances when every live agent has closed
 // it. An unanswered tick is sent again every second; an agent that leaves it unanswered for the deadline, says goodbye,
-// or whose process is known to have ended, is dropped with the next tick. Faults on purpose hold a tick until their
-// effect is confirmed. Time comes from the caller, in seconds of any steady clock.
+// or whose process is known to have ended, is dropped with the next tick. Agents that introduce themselves again come
+// back with the next tick once they are matched. Faults on purpose hold a tick until their effect is confirmed. Time
+// comes from the caller, in seconds of any steady clock.
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,18 +17,12 @@
 #include "idl/bus/port.hpp"
 #include "idl/convert/convert.hpp"
 #include "simworld/lockstep/admission.hpp"
-#include "simworld/lockstep/faults.hpp"
+#include "simworld/lockstep/interventions.hpp"
+#include "simworld/lockstep/pacer.hpp"
+#include "simworld/lockstep/repeats.hpp"
 #include "simworld/lockstep/run.hpp"
 
 namespace skein {
-
-/// Ends agent processes on the world's behalf (faults on purpose). The effect is confirmed by
-/// WorldSession::process_ended.
-class ProcessControl {
- public:
-  virtual ~ProcessControl() = default;
-  virtual void kill(AgentId agent) = 0;
-};
 
 struct SessionOptions {
   std::uint64_t run = 0;    ///< id of the run, not 0
@@ -36,8 +30,9 @@ struct SessionOptions {
   double startup_timeout_s = 30.0;
   double settle_s = 0.0;  ///< silence before the mission is published, in which another world may be found
   bool fail_fast = false;
+  Pace pace;
   std::vector<Fault> faults;
-  std::vector<RosterChange> replay;  ///< losses of another run, repeated at the same rounds
+  std::vector<RosterChange> replay;  ///< losses and returns of another run, repeated at the same rounds
 };
 
 /// Samples and CDR payload bytes of one topic, as the world sent or took them.
@@ -62,7 +57,7 @@ class WorldSession {
  public:
   enum class State : std::uint8_t { Waiting, Running, Closing, Done };
 
-  /// @param control nullptr when nobody can end processes; then `options.faults` must be empty.
+  /// @param control nullptr when nobody can act on processes; then `options.faults` must be empty.
   /// @throws std::invalid_argument for a bad mission, or faults without control.
   WorldSession(const Scenario& scenario, SessionOptions options, bus::WorldPort& port, ProcessControl* control,
                double now_s);
@@ -74,6 +69,8 @@ class WorldSession {
 
   /// The launcher says that an agent's process has ended.
   void process_ended(AgentId agent, double now_s);
+  /// And that it is stopped, as it was told.
+  void process_stopped(AgentId agent) { interventions_.process_stopped(agent); }
   /// The run must not start (another world has the swarm): ends with exit code 3. Without effect once it runs.
   void refuse_start(const std::string& reason, double now_s);
   /// Does not wait for anybody any more.
@@ -91,29 +88,35 @@ class WorldSession {
   [[nodiscard]] std::size_t matched() const { return admission_.matched(world_matched_); }
   [[nodiscard]] const TopicCounts& topics() const { return topics_; }
   [[nodiscard]] const PhaseTimes& times() const { return times_; }
+  /// Ticks of a paced run that were answered too late.
+  [[nodiscard]] std::uint32_t late_steps() const { return pacer_.late(); }
   [[nodiscard]] const FaultCounts& refused_samples() const { return faults_; }
-  /// Faults on purpose, and losses to be repeated, whose moment never came. Once the run is over.
-  [[nodiscard]] const std::vector<Fault>& unused_faults() const { return options_.faults; }
-  [[nodiscard]] const std::vector<RosterChange>& unused_losses() const { return options_.replay; }
+  /// Faults on purpose, and roster changes to be repeated, whose moment never came. Once the run is over.
+  [[nodiscard]] const std::vector<Fault>& unused_faults() const { return interventions_.unused_faults(); }
+  [[nodiscard]] const std::vector<RosterChange>& unused_changes() const { return interventions_.unused_changes(); }
   [[nodiscard]] bool fail_fast() const { return options_.fail_fast; }
   [[nodiscard]] std::uint64_t run_id() const { return options_.run; }
 
  private:
+  static constexpr double kWaitingTick_s = 0.5;
+
   void act(double now_s);
   void take(double now_s);
   void on_sample(const wire::Beacon& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);
-  void serve_needs(const Beacon& beacon, double now_s);
+  void repeat(const std::vector<Representative>& samples, double now_s);
   void poll_waiting(double now_s);
   void poll_running(double now_s);
   void poll_closing(double now_s);
   void drop_silent(double now_s);
   void add_loss(AgentId agent, LossReason reason);
-  [[nodiscard]] bool held_by_fault(const Moment& moment, double now_s);
-  void replay_losses(std::uint32_t round);
+  [[nodiscard]] bool is_live(AgentId agent) const;
+  [[nodiscard]] bool is_held(double now_s);
+  void find_returning(double now_s);
   void start(double now_s);
   void close(double now_s);
   void advance(double now_s);
+  void go_on(const Tick& next, double now_s);
   void open(const Tick& tick, double now_s);
   void publish_mission(double now_s);
   void publish_tick(double now_s);
@@ -125,19 +128,20 @@ class WorldSession {
   double deadline_s_;
   SessionOptions options_;
   bus::WorldPort& port_;
-  ProcessControl* control_;
+  Pacer pacer_;
   Run run_;
   Admission admission_;
+  Interventions interventions_;
   Barrier barrier_;
   State state_ = State::Waiting;
   Tick tick_;
-  std::vector<Loss> lost_;                        ///< to be dropped with the next tick
-  std::map<AgentId, Representative> repeatable_;  ///< counted by the open tick, kept for agents that lack them
-  std::vector<Fault> awaited_;                    ///< ordered, effect not yet confirmed
-  double awaited_since_s_ = 0.0;
+  std::vector<Loss> lost_;         ///< to be dropped with the next tick
+  std::vector<RosterEntry> back_;  ///< to come back with it
+  Repeats repeats_;
   double last_sent_s_ = -1e9;
   double mission_sent_s_ = -1e9;
   double all_have_mission_s_ = -1e9;  ///< when last no agent that had introduced itself lacked it
+  double pause_until_s_ = -1e9;       ///< for a newcomer that has heard no tick yet
   std::optional<double> last_poll_s_;
   double away_s_ = 0.0;  ///< time since the open tick in which nobody polled: it counts against no agent
   std::vector<std::uint64_t> world_matched_;

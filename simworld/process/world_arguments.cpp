@@ -55,13 +55,17 @@ void add_scenario_options(CLI::App& app, WorldArguments& arguments) {
 void add_world_options(CLI::App& app, WorldArguments& arguments) {
   add_scenario_options(app, arguments);
   app.add_option("--out", arguments.out, "folder for report and logs; by default skein-runs/<time>-<seed>");
+  app.add_option("--realtime", arguments.realtime, "pace to so many times real time; default: as fast as it goes")
+      ->check(CLI::Range(0.1, 1000.0));
   app.add_flag("--fail-fast,!--keep-going", arguments.fail_fast, "end the run when an agent is lost; default: go on");
-  add_repeated(app, "--fault", "kill:ID@plan:ROUND or kill:ID@fly:STEP: a fault on purpose; may be repeated",
-               [&arguments](const auto& text) {
-                 const ParsedFault parsed = parse_fault(text);
-                 if (!parsed.fault) throw CLI::ValidationError(parsed.error);
-                 arguments.faults.push_back(*parsed.fault);
-               });
+  add_repeated(
+      app, "--fault",
+      "KIND:ID@plan:ROUND or KIND:ID@fly:STEP, KIND kill, stop, cont or restart: a fault on purpose; may be repeated",
+      [&arguments](const auto& text) {
+        const ParsedFault parsed = parse_fault(text);
+        if (!parsed.fault) throw CLI::ValidationError(parsed.error);
+        arguments.faults.push_back(*parsed.fault);
+      });
 }
 
 std::optional<Scenario> load_or_complain(const WorldArguments& arguments) {

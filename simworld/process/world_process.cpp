@@ -23,6 +23,9 @@ class LauncherControl final : public ProcessControl {
  public:
   explicit LauncherControl(ControlChannel& channel) : channel_(channel) {}
   void kill(AgentId agent) override { channel_.send({{"kill", agent}}); }
+  void stop(AgentId agent) override { channel_.send({{"stop", agent}}); }
+  void cont(AgentId agent) override { channel_.send({{"cont", agent}}); }
+  void restart(AgentId agent) override { channel_.send({{"restart", agent}}); }
 
  private:
   ControlChannel& channel_;
@@ -66,6 +69,7 @@ class WorldProcess {
     options.startup_timeout_s = arguments.common.startup_timeout_s;
     options.settle_s = arguments.settle_s;
     options.fail_fast = arguments.fail_fast;
+    options.pace = {arguments.realtime, scenario_.lockstep.round_s};
     options.faults = arguments.faults;
     return options;
   }
@@ -82,6 +86,9 @@ class WorldProcess {
     while (const auto message = channel_.receive()) {
       if (const auto ended = message->find("ended"); ended != message->end()) {
         for (const auto id : ended->get<std::vector<AgentId>>()) session_.process_ended(id, steady_now_s());
+      }
+      if (const auto stopped = message->find("stopped"); stopped != message->end()) {
+        session_.process_stopped(stopped->get<AgentId>());
       }
     }
     if (launched_ && !channel_.open()) session_.interrupt("the launcher ended", steady_now_s());

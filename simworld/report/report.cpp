@@ -28,9 +28,13 @@ Json per_second(double count, const Json& seconds) {
 }
 
 std::string vehicle_reason(const VehicleRecord& vehicle, const Run& run) {
+  std::string lost;
   for (const RosterChange& change : run.changes()) {
-    if (change.agent == vehicle.spec.id) return fmt::format("agent lost: {}", name_of(change.reason));
+    if (change.agent != vehicle.spec.id) continue;
+    lost = change.reason == LossReason::Rejoined ? lost + ", rejoined"
+                                                 : fmt::format("agent lost: {}", name_of(change.reason));
   }
+  if (!lost.empty()) return lost;
   return vehicle.status == VehicleStatus::Missed ? "did not pass through its slot" : "";
 }
 
@@ -98,8 +102,9 @@ std::string unused_of(const WorldSession& session) {
   for (const Fault& fault : session.unused_faults()) {
     text += fmt::format("; the fault {} never took place", text_of(fault));
   }
-  for (const RosterChange& change : session.unused_losses()) {
-    text += fmt::format("; the loss of agent {} at round {} never took place", change.agent, change.round);
+  for (const RosterChange& change : session.unused_changes()) {
+    text += fmt::format("; the {} of agent {} at round {} never took place",
+                        change.reason == LossReason::Rejoined ? "return" : "loss", change.agent, change.round);
   }
   return text;
 }
@@ -171,6 +176,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["realtime_factor"] = per_second(run.steps_flown() * scenario.mission.step_s, flight_s);
   report["pss_mb_per_agent"] = nullptr;
   report["topics"] = topics_of(session.topics());
+  report["late_steps"] = session.late_steps();
   report["refused_samples"] = session.refused_samples().total();
   report["lost_samples"] = context.lost_samples;
   return report;

@@ -33,6 +33,7 @@ struct Override {
 
 struct LockstepOptions {
   double deadline_s = 10.0;  ///< wall time after which an agent that leaves a tick unanswered is gone, 0.1 to 3600
+  double round_s = 0.1;      ///< what a planning round stands for when a run is paced, 0.001 to 60; key planner.round_s
 
   bool operator==(const LockstepOptions&) const = default;
 };

@@ -39,8 +39,8 @@ constexpr std::size_t kMaxZones = 256;  // of each list
 constexpr std::uint64_t kMostSteps = 10'000'000;
 
 constexpr auto kPlannerKeys = [] {
-  std::array<Keys, kRendezvousFields.size() + 1> keys{"name"};
-  for (std::size_t i = 0; i < kRendezvousFields.size(); ++i) keys[i + 1] = kRendezvousFields[i].key;
+  std::array<Keys, kRendezvousFields.size() + 2> keys{"name", "round_s"};
+  for (std::size_t i = 0; i < kRendezvousFields.size(); ++i) keys[i + 2] = kRendezvousFields[i].key;
   return keys;
 }();
 
@@ -68,7 +68,7 @@ void read_head(const MapReader& root, Mission& mission) {
 /// What is common to all vehicles, as a spec without id, start and slot.
 VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
   static constexpr Keys kTypes[] = {"constant_speed", "multirotor"};
-  static constexpr Keys kLosses[] = {"remove", "continue"};
+  static constexpr Keys kLosses[] = {"remove", "hover", "continue"};
   VehicleSpec spec;
   const bool hovers = vehicles.word("type", kTypes) == "multirotor";
   spec.type = hovers ? VehicleType::Multirotor : VehicleType::ConstantSpeed;
@@ -93,8 +93,10 @@ VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
   if (spec.safety_radius_m < spec.radius_m) {
     vehicles.refuse("safety_radius_m", fmt::format("at least vehicles.radius_m, {} m", spec.radius_m));
   }
-  const bool remove = vehicles.word("on_agent_loss", kLosses, "remove") == "remove";
-  world.on_agent_loss = remove ? OnAgentLoss::Remove : OnAgentLoss::Continue;
+  const std::string_view on_loss = vehicles.word("on_agent_loss", kLosses, "remove");
+  world.on_agent_loss = on_loss == "remove"  ? OnAgentLoss::Remove
+                        : on_loss == "hover" ? OnAgentLoss::Hover
+                                             : OnAgentLoss::Continue;
   return spec;
 }
 
@@ -249,7 +251,9 @@ Places read_sections(const YamlNode& root_node, Scenario& into) {
   read_zones(root, "obstacles", false, into.mission.zones);
   read_zones(root, "no_fly", true, into.mission.zones);
   into.mission.terrain = read_terrain(root, into.mission.length_unit_m);
-  read_planner(root.map("planner", kPlannerKeys, false), into.mission.planner);
+  const MapReader planner = root.map("planner", kPlannerKeys, false);
+  read_planner(planner, into.mission.planner);
+  into.lockstep.round_s = planner.number("round_s", {1e-3, 60, "s"}, into.lockstep.round_s);
   into.lockstep.deadline_s = lockstep.number("deadline_s", {0.1, 3600, "s"}, into.lockstep.deadline_s);
   into.world.max_steps = static_cast<std::uint32_t>(world.whole("max_steps", 1, kMostSteps, into.world.max_steps));
   into.world.max_rounds = static_cast<std::uint32_t>(world.whole("max_rounds", 1, kMostSteps, into.world.max_rounds));

@@ -22,10 +22,17 @@ double torsion_per_m(const Vec3& before, const Vec3& now, double length_m) {
   return math::atan2(before.cross(now).norm(), std::fabs(before.dot(now))) / length_m;
 }
 
+/// A multirotor stands still; a vehicle that cannot circles to its left, level, as tightly as it can.
+Vec3 waiting_course(const VehicleRecord& vehicle) {
+  if (vehicle.spec.type == VehicleType::Multirotor) return Vec3::Zero();
+  return {-vehicle.state.velocity_mps.y(), vehicle.state.velocity_mps.x(), 0.0};
+}
+
 }  // namespace
 
 std::string_view name_of(VehicleStatus status) {
-  constexpr std::array<std::string_view, 6> kNames{"", "flying", "arrived", "missed", "removed", "adrift"};
+  constexpr std::array<std::string_view, 8> kNames{"",        "flying", "arrived",  "missed",
+                                                   "removed", "adrift", "hovering", "rejoined"};
   return kNames.at(static_cast<std::size_t>(status));
 }
 
@@ -72,8 +79,17 @@ std::size_t World::count(ContactKind kind) const {
 
 void World::lose_agent(AgentId id) {
   VehicleRecord& vehicle = vehicles_[index_of(id)];
-  const bool stays = airborne_ && on_agent_loss_ == OnAgentLoss::Continue;
-  vehicle.status = stays ? VehicleStatus::Adrift : VehicleStatus::Removed;
+  if (vehicle.status == VehicleStatus::Removed) return;  // of an agent that came back, and is lost again
+  if (!airborne_ || on_agent_loss_ == OnAgentLoss::Remove) {
+    vehicle.status = VehicleStatus::Removed;
+  } else {
+    vehicle.status = on_agent_loss_ == OnAgentLoss::Hover ? VehicleStatus::Hovering : VehicleStatus::Adrift;
+  }
+}
+
+void World::return_agent(AgentId id) {
+  VehicleRecord& vehicle = vehicles_[index_of(id)];
+  if (vehicle.status == VehicleStatus::Adrift) vehicle.status = VehicleStatus::Rejoined;
 }
 
 void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands) {
@@ -91,7 +107,9 @@ void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands
 
 void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* command) {
   VehicleRecord& vehicle = vehicles_[i];
-  const Vec3 wanted = command != nullptr ? command->velocity_mps : vehicle.state.velocity_mps;
+  const Vec3 wanted = vehicle.status == VehicleStatus::Hovering ? waiting_course(vehicle)
+                      : command != nullptr                      ? command->velocity_mps
+                                                                : vehicle.state.velocity_mps;
   const VehicleStep moved = advance_vehicle(vehicle.spec, vehicle.state, wanted, step_s_);
   motions_[i] = moved.motion;
   const double squared = vehicle.state.velocity_mps.squaredNorm();

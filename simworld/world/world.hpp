@@ -23,9 +23,11 @@ namespace skein {
 enum class VehicleStatus : std::uint8_t {
   Flying = 1,
   Arrived = 2,
-  Missed = 3,   ///< its agent flew its path to the end, but not through the slot
-  Removed = 4,  ///< its agent was lost, and the vehicle taken away
-  Adrift = 5,   ///< its agent was lost, and the vehicle goes straight on
+  Missed = 3,    ///< its agent flew its path to the end, but not through the slot
+  Removed = 4,   ///< its agent was lost, and the vehicle taken away
+  Adrift = 5,    ///< its agent was lost, and the vehicle goes straight on
+  Hovering = 6,  ///< its agent was lost, and the vehicle waits about where it is
+  Rejoined = 7,  ///< its agent came back and flies it, without a plan so far
 };
 
 [[nodiscard]] std::string_view name_of(VehicleStatus status);
@@ -75,6 +77,8 @@ class World {
 
   /// The vehicle's agent is gone. Before the flight, and with OnAgentLoss::Remove, the vehicle is taken away.
   void lose_agent(AgentId id);
+  /// The vehicle's agent came back: it takes over a vehicle that is adrift. Others stay as they are.
+  void return_agent(AgentId id);
 
   /// Flies step `step` (from 1). Commands by ascending id; a flying vehicle without one keeps its direction.
   void advance(std::uint32_t step, std::span<const VehicleCommand> commands);

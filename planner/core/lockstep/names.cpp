@@ -6,12 +6,12 @@ namespace skein {
 namespace {
 
 constexpr std::array<std::string_view, 4> kPhases{"waiting", "planning", "flying", "finished"};
-constexpr std::array<std::string_view, 7> kModes{"waiting", "planning", "ready",  "failed",
-                                                 "flying",  "arrived",  "leaving"};
+constexpr std::array<std::string_view, 8> kModes{"waiting", "planning", "ready",   "failed",
+                                                 "flying",  "arrived",  "leaving", "rejoined"};
 constexpr std::array<std::string_view, 8> kConstraints{"none",       "curvature", "obstacle", "no_fly",
                                                        "separation", "length",    "torsion",  "terrain"};
 constexpr std::array<std::string_view, 4> kRefusals{"", "id_in_use", "unknown_id", "run_started"};
-constexpr std::array<std::string_view, 4> kLosses{"none", "process_ended", "deadline", "left"};
+constexpr std::array<std::string_view, 5> kLosses{"none", "process_ended", "deadline", "left", "rejoined"};
 
 template <typename Enum, std::size_t N>
 std::string_view look_up(const std::array<std::string_view, N>& names, Enum value) {

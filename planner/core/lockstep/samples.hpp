@@ -24,6 +24,7 @@ enum class AgentMode : std::uint8_t {
   Flying = 4,    ///< follows its path
   Arrived = 5,   ///< its path is flown to the end
   Leaving = 6,   ///< says goodbye: it was asked to end
+  Rejoined = 7,  ///< came back after a loss: takes part from the next planning on
 };
 
 /// The constraint that a plan violates, in the order in which they are named.
@@ -38,10 +39,11 @@ enum class Constraint : std::uint8_t {
   Terrain = 7,     ///< J_terr of Eq. 11
 };
 
+/// RunStarted is no longer said: who comes back after a loss is admitted.
 enum class RefusalReason : std::uint8_t { IdInUse = 1, UnknownId = 2, RunStarted = 3 };
 
-/// Why an agent left the roster.
-enum class LossReason : std::uint8_t { None = 0, ProcessEnded = 1, Deadline = 2, Left = 3 };
+/// Why an agent left the roster; in a RosterChange also that one came back: Rejoined.
+enum class LossReason : std::uint8_t { None = 0, ProcessEnded = 1, Deadline = 2, Left = 3, Rejoined = 4 };
 
 /// A live agent, and how many samples (0 or 1 a topic) of the round before count.
 struct RosterEntry {
@@ -123,9 +125,9 @@ struct Beacon {
   std::uint32_t incarnation = 0;  ///< 0: introduces itself
   std::uint64_t nonce = 0;
   std::uint32_t step = 0;
-  std::uint32_t round = 0;
-  bool closes_round = false;           ///< false: an open beacon, an introduction or a list of needs
-  bool representative = false;         ///< a representative of this round goes with it
+  std::uint32_t round = 0;      ///< the last one that it answered; in an introduction the newest tick that it heard
+  bool closes_round = false;    ///< false: an open beacon, an introduction or a list of needs
+  bool representative = false;  ///< a representative of this round goes with it
   std::vector<std::uint64_t> matched;  ///< nonces of the processes whose endpoints are matched with its own
   std::vector<Need> needs;
   AgentMode mode = AgentMode::Waiting;
@@ -144,7 +146,7 @@ struct Beacon {
 /// A change of the roster, as the report keeps it.
 struct RosterChange {
   std::uint32_t step = 0;
-  std::uint32_t round = 0;  ///< the first round whose tick no longer names the agent
+  std::uint32_t round = 0;  ///< the first round whose tick no longer names this incarnation, or names it again
   AgentId agent = 0;
   std::uint32_t incarnation = 0;
   LossReason reason = LossReason::None;

@@ -25,8 +25,8 @@ inline constexpr AgentId kWorldId = 0;
 
 enum class MissionKind : std::uint8_t { Rendezvous = 1 };
 enum class VehicleType : std::uint8_t { ConstantSpeed = 1, Multirotor = 2 };
-/// What becomes of the vehicle of a lost agent.
-enum class OnAgentLoss : std::uint8_t { Remove = 1, Continue = 2 };
+/// What becomes of the vehicle of a lost agent: taken away, straight on, or waiting about where it is.
+enum class OnAgentLoss : std::uint8_t { Remove = 1, Continue = 2, Hover = 3 };
 
 /// A torsion limit that stands for none (per m).
 inline constexpr double kUnlimitedTorsion_per_m = 10.0;

@@ -119,15 +119,15 @@ TEST(AgentSession, AnOldTickIsNotAnswered) {
   EXPECT_EQ(world.session.round(), 2U);
 }
 
-TEST(AgentSession, IsDroppedByATickThatDoesNotNameIt) {
+TEST(AgentSession, IsDroppedByALastTickThatDoesNotNameIt) {
   PlayedWorld world;
   world.start();
-  Tick tick = PlayedWorld::tick(2, Phase::Planning);
+  Tick tick = PlayedWorld::tick(2, Phase::Finished);
   tick.roster.erase(tick.roster.begin());
   world.say(tick);
   world.at(0.1);
   EXPECT_EQ(world.session.state(), State::Dropped);
-  EXPECT_EQ(world.session.reason(), "the world went on without agent 1 at round 2");
+  EXPECT_EQ(world.session.reason(), "the world went on without agent 1, and ended");
   EXPECT_TRUE(world.port.sent.empty());
 }
 

@@ -60,6 +60,25 @@ TEST(Child, ASignalIsNamed) {
   unlink(log.c_str());
 }
 
+TEST(Child, IsStoppedContinuedAndKilledEvenWhileStopped) {
+  const std::string log = log_path();
+  Child child("/bin/sh", {"-c", "exec tail -f /dev/null"}, log, -1);
+  EXPECT_FALSE(child.stopped());
+  child.stop();
+  EXPECT_TRUE(child.stopped());
+  EXPECT_TRUE(child.running());
+  child.signal(SIGCONT);
+  EXPECT_FALSE(child.stopped());
+  child.stop();
+  child.kill_and_reap();
+  EXPECT_FALSE(child.stopped());
+  ASSERT_TRUE(child.status().has_value());
+  EXPECT_EQ(describe_status(*child.status()), "signal 9 (Killed)");
+  child.kill_and_reap();  // nothing is left to be killed
+  child.stop();
+  unlink(log.c_str());
+}
+
 TEST(Child, AProgramThatIsNotThereEndsWith127) {
   const std::string log = log_path();
   Child child("/nowhere/at/all", {}, log, -1);

@@ -155,7 +155,7 @@ TEST(Refusal, Beacon) {
                      {"beacon.needs", OutOfRange, [](W& b) { b.needs().resize(513); }},
                      {"beacon.matched", BadOrder, [](W& b) { b.matched()[1] = b.matched()[0]; }},
                      {"beacon.needs.agent", UnknownAgent, [](W& b) { b.needs()[0].agent(0); }},
-                     {"beacon.mode", BadEnum, [](W& b) { b.mode(7); }},
+                     {"beacon.mode", BadEnum, [](W& b) { b.mode(8); }},
                      {"beacon.failing", BadEnum, [](W& b) { b.failing(255); }},
                      {"beacon.failing_peer", UnknownAgent, [](W& b) { b.failing_peer(2); }},
                      {"beacon.own", NonFinite, [](W& b) { b.own().position_m().z(kNan); }},

@@ -128,24 +128,103 @@ TEST(Admission, RefusesUnknownIdsOnceEach) {
   EXPECT_EQ(admission.take_refused().size(), 1U);
 }
 
-TEST(Admission, ClosedTurnsNewcomersAwayButNotLateCopies) {
+/// Both agents live.
+Admission started() {
   Admission admission = two();
   admission.introduce(introduction(1, kAll), 0.0);
   admission.introduce(introduction(2, kAll), 0.0);
   admission.close();
-  admission.introduce(introduction(1, {}), 0.1);
-  EXPECT_TRUE(admission.take_refused().empty());
-  EXPECT_EQ(admission.matched(kAgents), 2U);  // a late copy changes nothing
-  admission.introduce(introduction(1, kAll, 555), 99.0);
-  EXPECT_EQ(admission.take_refused(), (std::vector<Refusal>{{555, RefusalReason::IdInUse}}));
+  return admission;
 }
 
-TEST(Admission, ClosedRefusesIdsThatNobodyHolds) {
-  Admission admission = two();
-  admission.introduce(introduction(1, kAll), 0.0);
-  admission.close();
-  admission.introduce(introduction(2, kAll), 0.0);
-  EXPECT_EQ(admission.take_refused(), (std::vector<Refusal>{{nonce_of(2), RefusalReason::RunStarted}}));
+/// Agent 2's introduction after its loss, by a process that has heard the tick of round `round`.
+Beacon again(std::uint64_t nonce, std::uint32_t round = 0) {
+  Beacon beacon = introduction(2, {test::kWorldNonce, nonce_of(1)}, nonce);
+  beacon.round = round;
+  return beacon;
+}
+
+TEST(Admission, AfterTheStartALateCopyChangesNothing) {
+  Admission admission = started();
+  admission.introduce(introduction(1, {}), 0.1);
+  EXPECT_TRUE(admission.take_refused().empty());
+  EXPECT_EQ(admission.matched(kAgents), 2U);
+  EXPECT_FALSE(admission.has_newcomers());
+}
+
+TEST(Admission, ALiveHolderKeepsItsIdByAnsweringALaterTick) {
+  Admission admission = started();
+  admission.introduce(introduction(1, kAll, 555), 99.0, 7);
+  admission.answered(1, 7);  // may have been said before the newcomer came
+  EXPECT_TRUE(admission.take_refused().empty());
+  admission.introduce(introduction(1, kAll, 555), 99.2, 8);  // again: the first time counts
+  admission.answered(2, 8);
+  EXPECT_TRUE(admission.take_refused().empty());
+  admission.answered(1, 8);
+  EXPECT_EQ(admission.take_refused(), (std::vector<Refusal>{{555, RefusalReason::IdInUse}}));
+  admission.answered(1, 9);
+  EXPECT_TRUE(admission.take_refused().empty());
+}
+
+TEST(Admission, ANewProcessComesBackUnderTheNextIncarnation) {
+  Admission admission = started();
+  admission.lose(2, 5, false);
+  admission.introduce(again(555), 1.0);
+  EXPECT_TRUE(admission.has_newcomers());
+  const std::vector<std::uint64_t> live{nonce_of(1)};
+  EXPECT_TRUE(admission.returning(kAgents, live, 1.0).empty()) << "the world is not matched with it";
+  const std::vector<std::uint64_t> seen{nonce_of(1), 555};
+  ASSERT_EQ(admission.returning(seen, live, 1.0), (std::vector<RosterEntry>{{2, 2, 555, false, false}}));
+  EXPECT_TRUE(admission.returning(seen, live, 2.1).empty()) << "not heard for over a second: it may be gone";
+  admission.admit({2, 2, 555, false, false});
+  EXPECT_FALSE(admission.has_newcomers());
+  admission.lose(2, 9, false);
+  admission.introduce(again(556), 3.0);
+  EXPECT_EQ(admission.returning(std::vector<std::uint64_t>{556}, live, 3.0)[0].incarnation, 3U);
+}
+
+TEST(Admission, WhoComesBackIsMatchedWithAllLiveAgentsAndHasTheMission) {
+  Admission admission = started();
+  admission.lose(2, 5, false);
+  const std::vector<std::uint64_t> seen{555};
+  const std::vector<std::uint64_t> live{nonce_of(1)};
+  Beacon lonely = again(555);
+  lonely.matched = {test::kWorldNonce};
+  admission.introduce(lonely, 1.0);
+  EXPECT_TRUE(admission.returning(seen, live, 1.0).empty());
+  EXPECT_EQ(admission.returning(seen, {}, 1.0).size(), 1U) << "nobody else is live";
+  Beacon without = again(555);
+  without.run = 0;
+  admission.introduce(without, 1.0);
+  EXPECT_TRUE(admission.returning(seen, live, 1.0).empty());
+}
+
+TEST(Admission, ADroppedProcessComesBackOnceItKnowsThatItIsDropped) {
+  Admission admission = started();
+  admission.lose(2, 5, true);
+  admission.introduce(again(nonce_of(2), 4), 1.0);  // a late copy, from before
+  EXPECT_FALSE(admission.has_newcomers());
+  admission.introduce(again(nonce_of(2), 5), 1.0);
+  EXPECT_TRUE(admission.has_newcomers());
+}
+
+TEST(Admission, ADeadProcessDoesNotComeBack) {
+  Admission admission = started();
+  admission.lose(2, 5, false);
+  admission.introduce(again(nonce_of(2), 9), 1.0);
+  EXPECT_FALSE(admission.has_newcomers());
+}
+
+TEST(Admission, ANewcomerThatEndsIsForgotten) {
+  Admission admission = started();
+  admission.lose(2, 5, false);
+  admission.introduce(again(555), 1.0);
+  admission.forget_newcomer(1);  // live: stays
+  admission.forget_newcomer(2);
+  EXPECT_FALSE(admission.has_newcomers());
+  admission.introduce(again(556), 1.0);
+  admission.forget(556);
+  EXPECT_FALSE(admission.has_newcomers());
 }
 
 }  // namespace

@@ -6,11 +6,12 @@
 namespace skein {
 namespace {
 
-constexpr const char* kAllowed = "; allowed: kill:ID@plan:ROUND or kill:ID@fly:STEP";
+constexpr const char* kAllowed = "; allowed: kill|stop|cont|restart:ID@plan:ROUND or @fly:STEP";
 
 TEST(Faults, ReadWhatTheyWrite) {
   for (const Fault& fault :
-       {Fault{FaultKind::Kill, 2, Phase::Planning, 25}, Fault{FaultKind::Kill, 1, Phase::Flying, 1},
+       {Fault{FaultKind::Kill, 2, Phase::Planning, 25}, Fault{FaultKind::Stop, 1, Phase::Flying, 1},
+        Fault{FaultKind::Cont, 9, Phase::Planning, 1}, Fault{FaultKind::Restart, 3, Phase::Flying, 7},
         Fault{FaultKind::Kill, 256, Phase::Flying, 4294967295U}}) {
     const ParsedFault parsed = parse_fault(text_of(fault));
     ASSERT_TRUE(parsed.fault.has_value()) << parsed.error;
@@ -18,7 +19,9 @@ TEST(Faults, ReadWhatTheyWrite) {
     EXPECT_TRUE(parsed.error.empty());
   }
   EXPECT_EQ(text_of({FaultKind::Kill, 3, Phase::Planning, 25}), "kill:3@plan:25");
-  EXPECT_EQ(text_of({FaultKind::Kill, 2, Phase::Flying, 120}), "kill:2@fly:120");
+  EXPECT_EQ(text_of({FaultKind::Stop, 2, Phase::Flying, 120}), "stop:2@fly:120");
+  EXPECT_EQ(text_of({FaultKind::Cont, 2, Phase::Flying, 121}), "cont:2@fly:121");
+  EXPECT_EQ(text_of({FaultKind::Restart, 2, Phase::Planning, 1}), "restart:2@plan:1");
 }
 
 TEST(Faults, EachMistakeIsNamedInOneLine) {

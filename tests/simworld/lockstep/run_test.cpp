@@ -127,6 +127,84 @@ TEST(Run, AnswersOfALostAgentDoNotCount) {
   EXPECT_EQ(hash_with(true), hash_with(false));
 }
 
+/// What agent 2 answers after its return.
+void as_rejoined(Beacon& beacon) {
+  if (beacon.agent != 2) return;
+  beacon.incarnation = 2;
+  beacon.mode = AgentMode::Rejoined;
+}
+
+const std::vector<Loss> kSecondLost{{2, LossReason::ProcessEnded}};
+const std::vector<RosterEntry> kSecondBack{{2, 2, 555, false, false}};
+
+/// Decides a round that loses agent 2 and lets it come back at once.
+Tick restart_second(skein::Run& run, const Tick& tick, AgentMode mode) {
+  Barrier barrier;
+  barrier.open(tick, 0.0);
+  for (const RosterEntry& entry : tick.roster) {
+    Beacon beacon = test::closing(entry.agent, tick.round, mode);
+    beacon.representative = true;
+    barrier.accept(beacon);
+    barrier.accept(test::representative(entry.agent, tick.round));
+  }
+  return run.decide(barrier, kSecondLost, kSecondBack);
+}
+
+TEST(Run, WhoComesBackIsNamedButHoldsUpNoPlanning) {
+  skein::Run run = run_of(3);
+  Tick tick = restart_second(run, run.begin(test::roster_of(3)), AgentMode::Planning);
+  ASSERT_EQ(tick.roster.size(), 3U);
+  EXPECT_EQ(tick.roster[1].incarnation, 2U);
+  EXPECT_FALSE(tick.roster[1].representative) << "that sample was its old incarnation's";
+  EXPECT_TRUE(tick.roster[0].representative);
+  ASSERT_EQ(run.changes().size(), 2U);
+  EXPECT_EQ(run.changes()[1], (RosterChange{0, 2, 2, 2, LossReason::Rejoined}));
+  tick = decide(run, tick, AgentMode::Ready, {}, as_rejoined);
+  EXPECT_EQ(tick.phase, Phase::Flying);
+  EXPECT_EQ(run.plan()[1].length_m, 0.0);
+  EXPECT_NEAR(*run.plan_spread_m(), 2.0, 1e-12) << "of agents 1 and 3";
+  for (int step = 0; step < 3; ++step) tick = decide(run, tick, AgentMode::Flying, {}, as_rejoined);
+  EXPECT_EQ(tick.phase, Phase::Finished);
+  EXPECT_EQ(run.verdict().code, ExitCode::AgentLost);
+  EXPECT_EQ(run.verdict().completed_without, (std::vector<AgentId>{2}));
+  EXPECT_EQ(
+      run.verdict().reason,
+      "agent 2 was lost at step 0, round 2: process_ended; agent 2 rejoined at step 0, round 2; the others arrived");
+}
+
+TEST(Run, PlanningEndsWhenOnlyReturnedAgentsAreLeft) {
+  skein::Run run = run_of(2);
+  Tick tick = restart_second(run, run.begin(test::roster_of(2)), AgentMode::Planning);
+  const std::vector<Loss> first_lost{{1, LossReason::ProcessEnded}};
+  tick = decide(run, tick, AgentMode::Planning, first_lost, as_rejoined);
+  EXPECT_EQ(tick.phase, Phase::Finished);
+  EXPECT_NE(run.verdict().reason.find("no agent is left that took part in planning"), std::string::npos);
+}
+
+TEST(Run, NobodyComesBackToARunThatIsOver) {
+  skein::Run run = run_of(1);
+  const Tick tick = run.begin(test::roster_of(1));
+  Barrier barrier;
+  barrier.open(tick, 0.0);
+  const std::vector<Loss> lost{{1, LossReason::ProcessEnded}};
+  const std::vector<RosterEntry> back{{1, 2, 555, false, false}};
+  EXPECT_TRUE(run.decide(barrier, lost, back).roster.empty());
+  EXPECT_EQ(run.changes().size(), 1U);
+}
+
+TEST(Run, AReturnIsInTheHash) {
+  const auto hash_with = [](std::span<const RosterEntry> back) {
+    skein::Run run = run_of(2);
+    const Tick tick = run.begin(test::roster_of(2));
+    Barrier barrier;
+    barrier.open(tick, 0.0);
+    barrier.accept(test::closing(1, 1));
+    (void)run.decide(barrier, kSecondLost, back);
+    return run.state_hash();
+  };
+  EXPECT_NE(hash_with({}), hash_with(kSecondBack));
+}
+
 /// The hash after one planning and one flight round of two agents, with the flight beacons edited.
 std::uint64_t hash_after(const Mission& mission, std::uint64_t run_id, const test::Edit& edit) {
   skein::Run run(run_id, mission, {}, false);

@@ -26,11 +26,14 @@ class FakeWorldPort final : public bus::WorldPort {
   std::vector<std::uint64_t> sees;
 };
 
-/// Notes whom it was asked to kill; the test says when the process has ended.
+/// Notes what it was asked to do; the test says what came of it.
 class FakeControl final : public ProcessControl {
  public:
   void kill(AgentId agent) override { killed.push_back(agent); }
-  std::vector<AgentId> killed;
+  void stop(AgentId agent) override { stopped.push_back(agent); }
+  void cont(AgentId agent) override { continued.push_back(agent); }
+  void restart(AgentId agent) override { restarted.push_back(agent); }
+  std::vector<AgentId> killed, stopped, continued, restarted;
 };
 
 class Stage {

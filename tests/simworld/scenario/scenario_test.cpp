@@ -200,6 +200,7 @@ TEST(Scenario, WordsAndWorldOptionsAreRead) {
   EXPECT_EQ(scenario.lockstep.deadline_s, 2.5);
   EXPECT_EQ(scenario.world.max_rounds, 77U);
   EXPECT_EQ(scenario.mission.name, "12");
+  EXPECT_EQ(scenario_of(load_small({{"vehicles.on_agent_loss", "hover"}})).world.on_agent_loss, OnAgentLoss::Hover);
 }
 
 TEST(Scenario, TheGivenSeedReplacesThatOfTheFileAndOfOverrides) {

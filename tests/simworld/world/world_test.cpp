@@ -189,6 +189,45 @@ TEST(World, LetsALostAgentsVehicleContinueOnlyInTheAir) {
   EXPECT_TRUE(world.all_ended());
 }
 
+TEST(World, ALostAgentsVehicleMayWaitInACircle) {
+  World world(test::abreast(2), OnAgentLoss::Hover);
+  fly(world, 1, 1);
+  const Vec3 where_m = world.vehicle(2).state.position_m;
+  world.lose_agent(2);
+  fly(world, 2, 40);
+  EXPECT_EQ(world.vehicle(2).status, VehicleStatus::Hovering);
+  EXPECT_LE((world.vehicle(2).state.position_m - where_m).norm(), 20.0 + 1e-9);  // the circle's diameter
+  EXPECT_NEAR(world.vehicle(2).state.velocity_mps.norm(), 10.0, 1e-9);
+  EXPECT_TRUE(world.all_ended());
+  world.return_agent(2);
+  EXPECT_EQ(world.vehicle(2).status, VehicleStatus::Hovering);
+}
+
+TEST(World, AReturnedAgentTakesItsVehicleOver) {
+  World world(test::abreast(2), OnAgentLoss::Continue);
+  fly(world, 1, 1);
+  world.lose_agent(2);
+  world.return_agent(2);
+  EXPECT_EQ(world.vehicle(2).status, VehicleStatus::Rejoined);
+  const VehicleCommand left{2, Vec3(0.0, 10.0, 0.0), false};
+  world.advance(2, {&left, 1});
+  EXPECT_GT(world.vehicle(2).state.velocity_mps.y(), 1.0);
+  fly(world, 3, 3);
+  EXPECT_TRUE(world.all_ended()) << "it is not waited for: it has no plan";
+  world.lose_agent(2);
+  EXPECT_EQ(world.vehicle(2).status, VehicleStatus::Adrift);
+}
+
+TEST(World, ARemovedVehicleStaysAway) {
+  World world(test::abreast(2), OnAgentLoss::Continue);
+  world.lose_agent(2);  // on the ground
+  world.return_agent(2);
+  EXPECT_EQ(world.vehicle(2).status, VehicleStatus::Removed);
+  fly(world, 1, 1);
+  world.lose_agent(2);
+  EXPECT_EQ(world.vehicle(2).status, VehicleStatus::Removed);
+}
+
 TEST(World, RemovedVehiclesTouchNothing) {
   World world = crossing(0.0);
   world.lose_agent(2);

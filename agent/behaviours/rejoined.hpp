@@ -1,0 +1,24 @@
+// What an agent does that came back after a loss, until the next planning: it answers, and holds its course.
+//
+//   phase     mode      publishes  commands
+//   planning  Rejoined  nothing    nothing
+//   flying    Rejoined  nothing    straight on (the world obeys if the vehicle is the agent's own again)
+//   finished  Rejoined  nothing    nothing
+// Everything of its former life is gone: no plan, no sub-swarm.
+#pragma once
+
+#include "agent/behaviours/behaviour.hpp"
+
+namespace skein {
+
+class RejoinedBehaviour final : public Behaviour {
+ public:
+  [[nodiscard]] bool can_use(const Representative& /*peer*/) const override { return true; }
+  RoundOutput on_round(const RoundInput& input) override;
+  void add_to(StateHash& hash) const override;
+
+ private:
+  RoundOutput last_;
+};
+
+}  // namespace skein

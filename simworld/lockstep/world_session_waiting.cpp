@@ -1,0 +1,54 @@
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "simworld/lockstep/world_session.hpp"
+
+namespace skein {
+namespace {
+
+constexpr double kMission_s = 2.0;  ///< an agent that lacks the mission for so long gets it again
+
+}  // namespace
+
+void WorldSession::poll_waiting(double now_s) {
+  if (topics_.mission.samples == 0) {
+    if (now_s - times_.created_s < options_.settle_s) return;
+    publish_mission(now_s);
+  }
+  world_matched_ = port_.matched();
+  if (const auto roster = admission_.roster(world_matched_); roster && !admission_.closed()) {
+    admission_.close();
+    tick_.roster = *roster;
+  }
+  if (admission_.closed()) return start(now_s);
+  if (now_s - times_.created_s > options_.startup_timeout_s) {
+    const std::string missing = fmt::format("{}", fmt::join(admission_.missing(world_matched_), ", "));
+    return refuse_start(fmt::format("start-up timed out after {} s: {} of {} agents matched; missing: {} ({})",
+                                    options_.startup_timeout_s, matched(), mission_.vehicles.size(), missing,
+                                    admission_.obstacles(world_matched_)),
+                        now_s);
+  }
+  if (!admission_.lacks_mission()) all_have_mission_s_ = now_s;
+  if (now_s - std::max(all_have_mission_s_, mission_sent_s_) >= kMission_s) publish_mission(now_s);
+  if (now_s - last_sent_s_ >= kWaitingTick_s) publish_tick(now_s);
+}
+
+/// Opens round 1, unless it is held on purpose.
+void WorldSession::start(double now_s) {
+  if (is_held(now_s) || state_ != State::Waiting) return;
+  state_ = State::Running;
+  times_.started_s = now_s;
+  const Tick first = run_.begin(tick_.roster, std::exchange(lost_, {}), back_);
+  go_on(first, now_s);
+}
+
+void WorldSession::refuse_start(const std::string& reason, double now_s) {
+  if (state_ != State::Waiting) return;
+  start_failure_ = reason;
+  interrupt(reason, now_s);
+}
+
+}  // namespace skein
