@@ -69,7 +69,8 @@ double WorldSession::idle_s(double now_s) const {
   double due_s = last_sent_s_ + (state_ == State::Waiting ? kWaitingTick_s : kResend_s);
   if (state_ == State::Running && interventions_.holding() && !interventions_.awaits_return()) return kWaitingTick_s;
   if (state_ == State::Closing) due_s = barrier_.opened_s() + kGoodbye_s;
-  if (state_ == State::Running && barrier_.complete()) due_s = std::min(due_s, pacer_.due_s());
+  const bool paced = state_ == State::Running && barrier_.complete() && now_s < pacer_.due_s();
+  if (paced) due_s = std::min(due_s, pacer_.due_s());
   return std::clamp(due_s - now_s, 0.0, kWaitingTick_s);
 }
 

@@ -39,8 +39,9 @@ constexpr std::size_t kMaxZones = 256;  // of each list
 constexpr std::uint64_t kMostSteps = 10'000'000;
 
 constexpr auto kPlannerKeys = [] {
-  std::array<Keys, kRendezvousFields.size() + 2> keys{"name", "round_s"};
-  for (std::size_t i = 0; i < kRendezvousFields.size(); ++i) keys[i + 2] = kRendezvousFields[i].key;
+  std::array<Keys, kRendezvousFields.size() + 2> keys{"name"};
+  for (std::size_t i = 0; i < kRendezvousFields.size(); ++i) keys[i + 1] = kRendezvousFields[i].key;
+  keys.back() = "round_s";
   return keys;
 }();
 
