@@ -16,23 +16,23 @@
 namespace skein::wire {
 
 /// The version that type names carry; processes of different versions never match.
-inline constexpr std::uint32_t kWireVersion = 1;
+inline constexpr std::uint32_t kWireVersion = 2;
 
-using v1::Area;
-using v1::Beacon;
-using v1::DirectedPoint;
-using v1::Ground;
-using v1::Header;
-using v1::Lack;
-using v1::LiveAgent;
-using v1::Mission;
-using v1::Point3;
-using v1::RendezvousPlanner;
-using v1::Representative;
-using v1::Sense;
-using v1::Tick;
-using v1::TurnedAway;
-using v1::Vehicle;
+using v2::Area;
+using v2::Beacon;
+using v2::DirectedPoint;
+using v2::Ground;
+using v2::Header;
+using v2::Lack;
+using v2::LiveAgent;
+using v2::Mission;
+using v2::Point3;
+using v2::RendezvousPlanner;
+using v2::Representative;
+using v2::Sense;
+using v2::Tick;
+using v2::TurnedAway;
+using v2::Vehicle;
 
 /// Any sample of the protocol.
 using Sample = std::variant<Mission, Tick, Sense, Representative, Beacon>;

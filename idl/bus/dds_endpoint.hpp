@@ -28,27 +28,27 @@ template <typename Sample>
 struct Carried;
 template <>
 struct Carried<wire::Mission> {
-  using Type = v1::MissionPubSubType;
+  using Type = v2::MissionPubSubType;
   static constexpr TopicId kTopic = TopicId::Mission;
 };
 template <>
 struct Carried<wire::Tick> {
-  using Type = v1::TickPubSubType;
+  using Type = v2::TickPubSubType;
   static constexpr TopicId kTopic = TopicId::Tick;
 };
 template <>
 struct Carried<wire::Sense> {
-  using Type = v1::SensePubSubType;
+  using Type = v2::SensePubSubType;
   static constexpr TopicId kTopic = TopicId::Sense;
 };
 template <>
 struct Carried<wire::Beacon> {
-  using Type = v1::BeaconPubSubType;
+  using Type = v2::BeaconPubSubType;
   static constexpr TopicId kTopic = TopicId::Beacon;
 };
 template <>
 struct Carried<wire::Representative> {
-  using Type = v1::RepresentativePubSubType;
+  using Type = v2::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
 };
 
