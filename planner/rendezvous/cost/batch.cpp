@@ -21,8 +21,8 @@ std::size_t points_of(const ProblemIn<Space>& problem) {
 /// From start to end of each path.
 template <typename Space>
 void walk_whole(const kernel::Kernel& kernel, const kernel::LaneTable& paths, std::size_t lanes,
-                PointTableIn<Space>& into) {
-  Space::steps(kernel).walk(paths.view(), {into.points() - 1, into.points()}, lanes, into.table());
+                PointTableIn<Space>& into, std::size_t first = 0) {
+  Space::steps(kernel).walk(paths.view(), {into.points() - 1, into.points()}, lanes, into.table(first));
 }
 
 template <typename Space>
@@ -210,10 +210,10 @@ void BatchIn<Space>::evaluate(const ProblemIn<Space>& problem, std::span<Evaluat
 
 template <typename Space>
 void BatchIn<Space>::walk(const ProblemIn<Space>& problem, std::span<const std::size_t> chosen,
-                          PointTableIn<Space>& into) {
+                          PointTableIn<Space>& into, std::size_t first) {
   for (std::size_t i = 0; i < chosen.size(); ++i) chosen_paths_.copy_lane(paths_, chosen[i], i);
   chosen_paths_.pad(chosen.size());
-  walk_whole(*problem.kernel, chosen_paths_, chosen.size(), into);
+  walk_whole(*problem.kernel, chosen_paths_, chosen.size(), into, first);
 }
 
 template <typename Space>

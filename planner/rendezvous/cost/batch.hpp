@@ -42,8 +42,13 @@ class PointTableIn {
 
   void resize(std::size_t points, std::size_t lanes);
   [[nodiscard]] std::size_t points() const { return points_; }
-  [[nodiscard]] kernel::Table table() { return rows_.table(); }
-  [[nodiscard]] kernel::ConstTable view() const { return rows_.view(); }
+  /// From lane `first` on.
+  [[nodiscard]] kernel::Table table(std::size_t first = 0) {
+    return {rows_.table().data + first, rows_.table().stride};
+  }
+  [[nodiscard]] kernel::ConstTable view(std::size_t first = 0) const {
+    return {rows_.view().data + first, rows_.view().stride};
+  }
 
   void copy_lane(const PointTableIn& from, std::size_t from_lane, std::size_t to_lane) {
     rows_.copy_lane(from.rows_, from_lane, to_lane);
@@ -95,9 +100,10 @@ class BatchIn {
   /// evaluate() of cost.hpp for each candidate's controls, but without points.
   void evaluate(const ProblemIn<Space>& problem, std::span<EvaluationIn<Space>> candidates);
 
-  /// Equidistant points of some candidates of the last evaluate(): lane i of `into` is that of candidate chosen[i].
-  /// @pre chosen is not empty
-  void walk(const ProblemIn<Space>& problem, std::span<const std::size_t> chosen, PointTableIn<Space>& into);
+  /// Equidistant points of some candidates of the last evaluate(): lane first + i of `into` is that of candidate
+  /// chosen[i]. @pre chosen is not empty
+  void walk(const ProblemIn<Space>& problem, std::span<const std::size_t> chosen, PointTableIn<Space>& into,
+            std::size_t first = 0);
 
  private:
   RuleTableIn<Space> rules_;

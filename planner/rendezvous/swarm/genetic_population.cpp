@@ -71,7 +71,7 @@ void GeneticPopulationIn<Space>::advance(const Problem& problem, const kernel::P
   refresh(problem, peers, reference_length_m);
   const std::size_t best = costs_.least(problem, individuals_);
   const Evaluation elite = individuals_[best];
-  elite_points_.copy_lane(costs_.points(), best, 0);
+  elite_points_.copy_lane(costs_.points(), costs_.lane_of(best), 0);
   const std::size_t count = individuals_.size();
   ++generation_;
   std::vector<ph::Controls> children;

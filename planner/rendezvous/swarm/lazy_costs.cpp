@@ -27,7 +27,8 @@ template <typename Space>
 LazyCostsIn<Space>::LazyCostsIn(const Problem& problem, std::size_t particles, Evaluate when)
     : when_(when),
       batch_(problem, particles),
-      points_(points_of(problem), particles),
+      points_(points_of(problem), particles * problem.kernel->width + kernel::kLaneMultiple),
+      lane_of_(particles),
       gathered_(points_of(problem), particles),
       collided_(1, particles + kernel::kLaneMultiple),
       walked_(particles, 0),
@@ -43,6 +44,7 @@ template <typename Space>
 void LazyCostsIn<Space>::evaluate(const Problem& problem, std::span<Evaluation> particles) {
   batch_.evaluate(problem, particles);
   std::ranges::fill(walked_, char{0});
+  lanes_used_ = 0;
 }
 
 template <typename Space>
@@ -80,27 +82,32 @@ void LazyCostsIn<Space>::walk_all(const Problem& problem) {
 }
 
 template <typename Space>
-void LazyCostsIn<Space>::walk(const Problem& problem, std::span<const std::size_t> chosen) {
+std::size_t LazyCostsIn<Space>::walk(const Problem& problem, std::span<const std::size_t> chosen) {
   to_walk_.clear();
   std::ranges::copy_if(chosen, std::back_inserter(to_walk_), [&](std::size_t j) { return walked_[j] == 0; });
-  if (to_walk_.empty()) return;
-  batch_.walk(problem, to_walk_, gathered_);
+  const std::size_t first = lanes_used_;
+  if (to_walk_.empty()) return first;
+  batch_.walk(problem, to_walk_, points_, first);
+  const std::size_t width = problem.kernel->width;
+  lanes_used_ += (to_walk_.size() + width - 1) / width * width;  // a kernel writes whole packs
   for (std::size_t i = 0; i < to_walk_.size(); ++i) {
-    points_.copy_lane(gathered_, i, to_walk_[i]);
+    lane_of_[to_walk_[i]] = first + i;
     walked_[to_walk_[i]] = 1;
   }
+  return first;
 }
 
 template <typename Space>
 void LazyCostsIn<Space>::find_out(const Problem& problem, std::span<Evaluation> particles,
                                   std::span<const std::size_t> chosen) {
   if (chosen.empty()) return;
-  walk(problem, chosen);
-  if (to_walk_.size() < chosen.size()) {  // else they stand there already, padded by the kernel
-    for (std::size_t i = 0; i < chosen.size(); ++i) gathered_.copy_lane(points_, chosen[i], i);
+  kernel::ConstTable points = points_.view(walk(problem, chosen));
+  if (to_walk_.size() < chosen.size()) {  // else they stand there side by side, padded by the kernel
+    for (std::size_t i = 0; i < chosen.size(); ++i) gathered_.copy_lane(points_, lane_of_[chosen[i]], i);
     gathered_.pad(chosen.size());
+    points = gathered_.view();
   }
-  Space::steps(*problem.kernel).meet(gathered_.view(), points_of(problem), chosen.size(), peers_, collided_.row(0));
+  Space::steps(*problem.kernel).meet(points, points_of(problem), chosen.size(), peers_, collided_.row(0));
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     set_cooperation(problem, collided_.row(0)[i] > 0.0, reference_length_m_, particles[chosen[i]]);
     known_[chosen[i]] = 1;
@@ -162,7 +169,8 @@ std::size_t LazyCostsIn<Space>::largest(const Problem& problem, std::span<Evalua
 
 template <typename Space>
 void LazyCostsIn<Space>::replace(std::size_t particle, const PointTable& points, std::size_t lane) {
-  points_.copy_lane(points, lane, particle);
+  lane_of_[particle] = lanes_used_++;
+  points_.copy_lane(points, lane, lane_of_[particle]);
   walked_[particle] = 1;
   known_[particle] = 1;
 }

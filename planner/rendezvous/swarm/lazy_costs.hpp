@@ -59,15 +59,16 @@ class LazyCostsIn {
   [[nodiscard]] std::size_t largest(const Problem& problem, std::span<Evaluation> particles);
 
   [[nodiscard]] bool is_known(std::size_t particle) const { return known_[particle] != 0; }
-  /// The points of particles that were known since they were evaluated.
+  /// The points of particles that were known since they were evaluated, each in its lane.
   [[nodiscard]] const PointTable& points() const { return points_; }
+  [[nodiscard]] std::size_t lane_of(std::size_t particle) const { return lane_of_[particle]; }
   /// Puts a known candidate into a particle's place: lane `lane` of `points`.
   void replace(std::size_t particle, const PointTable& points, std::size_t lane);
   /// Makes the points of all particles known.
   void walk_all(const Problem& problem);
 
  private:
-  void walk(const Problem& problem, std::span<const std::size_t> chosen);
+  std::size_t walk(const Problem& problem, std::span<const std::size_t> chosen);
   void list_open(std::size_t most);
   template <typename Key>
   std::size_t extreme(const Problem& problem, std::span<Evaluation> particles, const Key& key);
@@ -76,7 +77,10 @@ class LazyCostsIn {
   BatchIn<Space> batch_;
   kernel::Peers peers_{};  ///< since face(), until the end of the generation
   std::optional<double> reference_length_m_;
+  /// Walked paths, in the order of the calls: those of one call stand side by side, where `meet` can take them.
   PointTable points_;
+  std::vector<std::size_t> lane_of_;
+  std::size_t lanes_used_ = 0;
   PointTable gathered_;
   kernel::LaneTable collided_;
   std::vector<char> walked_;

@@ -39,7 +39,7 @@ SubSwarmIn<Space>::SubSwarmIn(const Problem& problem, Evaluate when)
   costs_.evaluate(problem, particles_);
   costs_.walk_all(problem);
   personal_bests_ = particles_;
-  for (std::size_t j = 0; j < count; ++j) best_points_.copy_lane(costs_.points(), j, j);
+  for (std::size_t j = 0; j < count; ++j) best_points_.copy_lane(costs_.points(), costs_.lane_of(j), j);
   own_best_ = *std::ranges::min_element(particles_, {}, &Evaluation::own);
   const auto first =
       static_cast<std::size_t>(std::ranges::min_element(particles_, {}, &Evaluation::own) - particles_.begin());
@@ -111,7 +111,7 @@ void SubSwarmIn<Space>::refresh(const Problem& problem, const kernel::Peers& pee
   }
   const std::size_t elite = costs_.least(problem, particles_);
   elite_ = particles_[elite];
-  best_points_.copy_lane(costs_.points(), elite, particles_.size() + 1);
+  best_points_.copy_lane(costs_.points(), costs_.lane_of(elite), particles_.size() + 1);
   const auto leader = std::ranges::min_element(personal_bests_, {}, &Evaluation::modified);
   if (leader->modified < best_.modified) {
     take_best(*leader, best_points_, static_cast<std::size_t>(leader - personal_bests_.begin()));
@@ -162,9 +162,9 @@ void SubSwarmIn<Space>::update_bests() {
     if (!costs_.is_known(j)) continue;
     if (particles_[j].modified < personal_bests_[j].modified) {
       personal_bests_[j] = particles_[j];
-      best_points_.copy_lane(costs_.points(), j, j);
+      best_points_.copy_lane(costs_.points(), costs_.lane_of(j), j);
     }
-    if (particles_[j].modified < best_.modified) take_best(particles_[j], costs_.points(), j);
+    if (particles_[j].modified < best_.modified) take_best(particles_[j], costs_.points(), costs_.lane_of(j));
   }
 }
 

@@ -20,6 +20,7 @@ double SwarmRun::longest_m() const {
 SwarmRun run_swarm(const Mission& mission, int max_rounds, const Interfere& interfere,
                    const rendezvous::kernel::Kernel& kernel) {
   SwarmRun run;
+  run.planners.reserve(mission.vehicles.size());
   for (const VehicleSpec& vehicle : mission.vehicles) run.planners.emplace_back(mission, vehicle.id, kernel);
   for (; run.rounds < max_rounds; ++run.rounds) {
     if (interfere) interfere(run.rounds, run);
