@@ -31,7 +31,7 @@ struct RendezvousOptions {
   double reinitialise_probability = 0.1;  ///< of each particle in each generation
   std::int32_t check_points = 50;         ///< Np = Nph, points of a path at which constraints are checked in the search
   std::int32_t dense_points = 1000;       ///< points of a path at which the final path is checked again
-  double penalty = 1e5;                   ///< cost of each violated constraint (Eq. 11, 12, 15)
+  double penalty = 1e5;                   ///< cost of each violated constraint (Eq. 11, 12, 15); more than 0
   double length_penalty = 100.0;          ///< factor of |L - Lref|^2 in Eq. 16, per length unit
   double clearance_margin_m = 5.0;        ///< kept from obstacles and no-fly zones beyond the vehicle's radius
   std::int32_t equalise_directions = 64;  ///< directions of (m0, m1) tried to reach the common length (Remark 3)
@@ -71,7 +71,7 @@ inline constexpr std::array<RendezvousField, 26> kRendezvousFields{{
     {"reinitialise_probability", &RendezvousOptions::reinitialise_probability, "", 0, 1},
     {"check_points", &RendezvousOptions::check_points, "", 3, 1000},
     {"dense_points", &RendezvousOptions::dense_points, "", 100, 100000},
-    {"penalty", &RendezvousOptions::penalty, "", 0, 1e12},
+    {"penalty", &RendezvousOptions::penalty, "", 1e-3, 1e12},
     {"length_penalty", &RendezvousOptions::length_penalty, "", 0, 1e12},
     {"clearance_margin_m", &RendezvousOptions::clearance_margin_m, "m", 0, 1e6},
     {"equalise_directions", &RendezvousOptions::equalise_directions, "", 4, 4096},

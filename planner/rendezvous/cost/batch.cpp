@@ -100,7 +100,7 @@ void PeerTableIn<Space>::follow(const ProblemIn<Space>& problem, std::span<const
       separation_m_[lane] = required_separation_m(problem.own(), participant_of(problem, ids_[lane]));
     }
   }
-  std::vector<std::size_t> changed;
+  changed_.clear();
   for (std::size_t lane = 0; lane < count_; ++lane) {
     const ph::Controls controls = *controls_of<Space>(peers[lane].particle);
     if (controls == controls_[lane]) continue;
@@ -108,40 +108,40 @@ void PeerTableIn<Space>::follow(const ProblemIn<Space>& problem, std::span<const
     if (controls.is_joined()) {
       walk_joined(problem, lane);
     } else {
-      changed.push_back(lane);
+      changed_.push_back(lane);
     }
   }
-  if (changed.empty()) return;
-  if (2 * changed.size() > count_ && std::ranges::none_of(controls_, &ph::Controls::is_joined)) {
+  if (changed_.empty()) return;
+  if (2 * changed_.size() > count_ && std::ranges::none_of(controls_, &ph::Controls::is_joined)) {
     // walking all in place takes less than copying
-    changed.resize(count_);
-    std::iota(changed.begin(), changed.end(), std::size_t{0});
+    changed_.resize(count_);
+    std::iota(changed_.begin(), changed_.end(), std::size_t{0});
   }
-  walk(problem, changed);
+  walk(problem, changed_);
 }
 
 template <typename Space>
 void PeerTableIn<Space>::walk(const ProblemIn<Space>& problem, std::span<const std::size_t> lanes) {
   const std::size_t count = lanes.size();
-  kernel::LaneTable ends(Space::EndRows::Count, count);
-  kernel::LaneTable controls(2, count);
-  kernel::LaneTable paths(Space::PathRows::Count, count);
+  ends_.resize(Space::EndRows::Count, count);
+  m_.resize(2, count);
+  paths_.resize(Space::PathRows::Count, count);
   for (std::size_t i = 0; i < count; ++i) {
-    put_ends(participant_of(problem, ids_[lanes[i]]).hermite, i, ends);
-    controls.row(0)[i] = controls_[lanes[i]].m0_m;
-    controls.row(1)[i] = controls_[lanes[i]].m1_m;
+    put_ends(participant_of(problem, ids_[lanes[i]]).hermite, i, ends_);
+    m_.row(0)[i] = controls_[lanes[i]].m0_m;
+    m_.row(1)[i] = controls_[lanes[i]].m1_m;
   }
-  ends.pad(count);
-  controls.pad(count);
+  ends_.pad(count);
+  m_.pad(count);
   const kernel::Steps& steps = Space::steps(*problem.kernel);
-  steps.interpolate(ends.view(), controls.row(0), controls.row(1), count, paths.table());
+  steps.interpolate(ends_.view(), m_.row(0), m_.row(1), count, paths_.table());
   if (count == count_) {
-    walk_whole(*problem.kernel, paths, count, points_);
+    walk_whole(*problem.kernel, paths_, count, points_);
     return;
   }
-  PointTableIn<Space> walked(points_of(problem), count);
-  walk_whole(*problem.kernel, paths, count, walked);
-  for (std::size_t i = 0; i < count; ++i) points_.copy_lane(walked, i, lanes[i]);
+  walked_.resize(points_of(problem), count);
+  walk_whole(*problem.kernel, paths_, count, walked_);
+  for (std::size_t i = 0; i < count; ++i) points_.copy_lane(walked_, i, lanes[i]);
 }
 
 template <typename Space>

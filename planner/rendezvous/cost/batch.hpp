@@ -1,7 +1,8 @@
 // Candidates of one UAV evaluated together, and the representatives of its peers, in the kernel's lanes.
 //
 // Source: papers/001, section 3.2.3 and 3.2.4. Departs from source: see cost/cost.hpp.
-// Complexity: that of the kernel; nothing allocates but construction, and PeerTable while it grows.
+// Complexity: that of the kernel; nothing allocates but construction, and PeerTable while it grows or
+// walks joined segments.
 #pragma once
 
 #include <span>
@@ -89,6 +90,11 @@ class PeerTableIn {
   std::size_t count_ = 0;
   std::vector<AgentId> ids_;            ///< of those that are followed
   std::vector<ph::Controls> controls_;  ///< of their paths
+  std::vector<std::size_t> changed_;    ///< lanes to be walked; kept, as the tables below, to save allocating them
+  kernel::LaneTable ends_;
+  kernel::LaneTable m_;
+  kernel::LaneTable paths_;
+  PointTableIn<Space> walked_;
 };
 
 template <typename Space>

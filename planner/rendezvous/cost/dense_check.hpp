@@ -7,7 +7,7 @@
 // a zone or peer many samples are skipped.
 // Terrain of slope at most k and curvature at most c lies, over a chord of length h, at most c h^2 / 8 above the
 // straight line through its heights at the ends, and a path that deviates by its sag from the chord loses at most sag
-// sqrt(1 + k^2) of its height above it. The penalty of the search may be 0; this check names constraints.
+// sqrt(1 + k^2) of its height above it. The penalty of the search may be small; this check names constraints.
 //
 // Source: papers/001, Eq. 11, 12, 17. Departs from source: the paper checks 50 points.
 // Complexity: O(dense points) Newton steps; each zone and peer O(dense points) at worst, a few steps as a rule.

@@ -70,7 +70,6 @@ class SpatialPath {
   /// At arc length s (m), clamped to [0, length]: position (m), curvature (1/m), torsion (1/m).
   [[nodiscard]] Vec3 position_at(double s_m) const { return position(parameter_at(s_m)); }
   [[nodiscard]] double curvature_at(double s_m) const { return curvature(parameter_at(s_m)); }
-  [[nodiscard]] double torsion_at(double s_m) const { return torsion(parameter_at(s_m)); }
 
   /// b, |b|^2 and N of the formulas above, and sigma, by powers of q.
   [[nodiscard]] const std::array<Vec2, 3>& bend() const { return bend_; }

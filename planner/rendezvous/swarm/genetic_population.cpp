@@ -74,18 +74,18 @@ void GeneticPopulationIn<Space>::advance(const Problem& problem, const kernel::P
   elite_points_.copy_lane(costs_.points(), costs_.lane_of(best), 0);
   const std::size_t count = individuals_.size();
   ++generation_;
-  std::vector<ph::Controls> children;
-  children.reserve(count + 1);
-  while (children.size() < count) {
-    const std::uint64_t index = static_cast<std::uint64_t>(generation_) * count + children.size();
+  children_.clear();
+  children_.reserve(count + 1);
+  while (children_.size() < count) {
+    const std::uint64_t index = static_cast<std::uint64_t>(generation_) * count + children_.size();
     RandomStream stream(problem.seed, problem.own().id, Purpose::Breeding, index);
     const ph::Controls& one = spin(stream);
     const ph::Controls& other = spin(stream);
     for (const ph::Controls& child : crossed(problem.options, {one, other}, stream)) {
-      children.push_back(mutated(problem, child, stream));
+      children_.push_back(mutated(problem, child, stream));
     }
   }
-  for (std::size_t j = 0; j < count; ++j) individuals_[j].controls = children[j];
+  for (std::size_t j = 0; j < count; ++j) individuals_[j].controls = children_[j];
   costs_.evaluate(problem, individuals_);
   costs_.bound(problem, individuals_);
   for (const Evaluation& child : individuals_) {

@@ -53,6 +53,7 @@ class GeneticPopulationIn {
   LazyCostsIn<Space> costs_;  ///< of the individuals, all found out at once
   PeerTableIn<Space> peers_;  ///< for callers that hold none
   PointTableIn<Space> elite_points_;
+  std::vector<ph::Controls> children_;
   std::vector<double> wheel_;  ///< running sums of fitness
   Evaluation best_;
   Evaluation own_best_;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "planner/rendezvous/swarm/genetic_population.hpp"
 #include "planner/rendezvous/swarm/sub_swarm.hpp"
 #include "tests/planner/rendezvous/kernel/random_batch.hpp"
 #include "tests/planner/rendezvous/layouts.hpp"
@@ -77,6 +78,32 @@ void expect_none(const Mission& mission) {
 TEST(Allocation, AGenerationNeedsNone) {
   expect_none<Planar>(test::layout_a(3));
   expect_none<Spatial>(test::layout_space(3));
+}
+
+/// Generations as a planner runs them: representatives that move, the sub-swarm or population among them.
+template <typename Search>
+void expect_none_following(const Problem& problem) {
+  Search search(problem);
+  std::vector<Representative> peers(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    peers[i].agent = static_cast<AgentId>(i + 2);
+    peers[i].particle = {9000.0, 8000.0};
+  }
+  PeerTable table;
+  long before = 0;
+  for (int g = 0; g < 40; ++g) {
+    if (g == 4) before = allocations;  // warm: every branch of the table was taken
+    peers[0].particle[0] += 10.0;
+    if (g % 2 == 0) peers[1].particle[1] += 10.0;
+    table.follow(problem, peers);
+    search.advance(problem, table.peers(), 35000.0);
+  }
+  EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocation, NorDoPeersThatMove) {
+  expect_none_following<SubSwarm>(make_problem(test::layout_a(3), 1));
+  expect_none_following<GeneticPopulation>(make_problem(test::layout_a(3), 1));
 }
 
 TEST(Allocation, TheCounterCounts) {
