@@ -24,8 +24,8 @@ inline constexpr const char* kIsaVariable = "SKEIN_ISA";
 
 /// What is wrong with a value of SKEIN_ISA: one line, or nothing. Null or empty: not set.
 [[nodiscard]] std::optional<std::string> isa_fault(const char* wanted);
-/// The set that a value of SKEIN_ISA asks for; the widest one here if it is not set or has a fault. What each gains is in
-/// docs/benchmarks.md.
+/// The set that a value of SKEIN_ISA asks for; the widest one here if it is not set or has a fault. What each gains is
+/// in docs/benchmarks.md.
 [[nodiscard]] Isa chosen_isa(const char* wanted);
 
 }  // namespace skein
