@@ -21,7 +21,7 @@ constexpr std::size_t kPoints = 201;
 class Folder {
  public:
   Folder() {
-    std::string pattern = fs::temp_directory_path() / "skein-curves-XXXXXX";
+    std::string pattern = (fs::temp_directory_path() / "skein-curves-").string() + std::string(6, 'X');
     path_ = mkdtemp(pattern.data());
   }
   ~Folder() { fs::remove_all(path_); }
