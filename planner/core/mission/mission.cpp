@@ -68,6 +68,20 @@ void add_options(StateHash& hash, const RendezvousOptions& options) {
   }
 }
 
+template <typename Options, std::size_t N>
+void add_fields(StateHash& hash, const Options& options, const std::array<OptionField<Options>, N>& fields) {
+  for (const OptionField<Options>& field : fields) hash.add(field.key).add(options.*field.member);
+}
+
+void add_transit(StateHash& hash, const TransitMission& transit) {
+  hash.add(transit.area.min_m).add(transit.area.max_m).add(transit.goal_radius_m).add(transit.goals_m.size());
+  for (const Vec3& goal_m : transit.goals_m) hash.add(goal_m);
+  hash.add(std::string_view(transit.planner.name));
+  add_fields(hash, transit.planner, kTransitFields);
+  add_fields(hash, transit.radio, kRadioFields);
+  add_fields(hash, transit.sensor, kSensorFields);
+}
+
 }  // namespace
 
 std::uint64_t mission_hash(const Mission& mission) {
@@ -82,6 +96,7 @@ std::uint64_t mission_hash(const Mission& mission) {
   for (const Zone& zone : mission.zones) add_zone(hash, zone);
   add_options(hash, mission.planner);
   add_space(hash, mission);
+  if (mission.transit) add_transit(hash, *mission.transit);
   return hash.value();
 }
 

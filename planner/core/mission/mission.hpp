@@ -15,6 +15,7 @@
 #include "planner/core/geometry/types.hpp"
 #include "planner/core/hash/state_hash.hpp"
 #include "planner/core/options/rendezvous_options.hpp"
+#include "planner/core/options/transit_options.hpp"
 
 namespace skein {
 
@@ -23,7 +24,7 @@ using AgentId = std::uint32_t;
 inline constexpr AgentId kMaxAgents = 256;
 inline constexpr AgentId kWorldId = 0;
 
-enum class MissionKind : std::uint8_t { Rendezvous = 1 };
+enum class MissionKind : std::uint8_t { Rendezvous = 1, Transit = 2 };
 enum class VehicleType : std::uint8_t { ConstantSpeed = 1, Multirotor = 2 };
 /// What becomes of the vehicle of a lost agent: taken away, straight on, or waiting about where it is.
 enum class OnAgentLoss : std::uint8_t { Remove = 1, Continue = 2, Hover = 3 };
@@ -55,6 +56,18 @@ struct Zone {
   bool operator==(const Zone&) const = default;
 };
 
+/// What a transit has instead of a formation (papers/004): unknown space to cross, each UAV to its goal.
+struct TransitMission {
+  Box area;                    ///< nobody flies outside; known to all, as the paper assumes
+  std::vector<Vec3> goals_m;   ///< by vehicle, as in Mission::vehicles
+  double goal_radius_m = 0.0;  ///< within which a UAV has arrived
+  TransitOptions planner;
+  RadioOptions radio;
+  SensorOptions sensor;
+
+  bool operator==(const TransitMission&) const = default;
+};
+
 struct Mission {
   std::string name;
   MissionKind kind = MissionKind::Rendezvous;
@@ -67,6 +80,7 @@ struct Mission {
   std::vector<Zone> zones;
   std::optional<Terrain> terrain;  ///< the ground; none: nothing is below
   RendezvousOptions planner;
+  std::optional<TransitMission> transit;  ///< with kind Transit
 
   bool operator==(const Mission&) const = default;
 };

@@ -1,0 +1,67 @@
+// What agents of a transit put on air: their intent for the next decision, and tiles of their obstacle maps.
+//
+// Source: papers/004, section IV-B2 (maps of 2 bits a cell); docs/architecture.md for version vectors and tiles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planner/core/cells/cell_grid.hpp"
+#include "planner/core/mission/mission.hpp"
+
+namespace skein {
+
+enum class NavStatus : std::uint8_t {
+  Flying = 1,
+  Arrived = 2,      ///< within goal_radius_m of its goal: it lands, and is no obstacle
+  Unreachable = 3,  ///< no way to its goal through cells not known to be blocked; hovers and gives way
+  Deadlock = 4,     ///< no way past the others, in bounded time
+};
+
+/// What a UAV says in one decision of what it will do in the next: right of way follows from these alone.
+struct Intent {
+  std::uint32_t decision = 0;  ///< the decision for which it stands, from 1
+  Vec3 from_m = Vec3::Zero();  ///< where that motion starts
+  Vec3 to_m = Vec3::Zero();    ///< where it ends, if nothing with right of way is in its way
+  std::uint32_t waited = 0;    ///< decisions without progress, or what the rule makes of them
+  double to_go_m = 0.0;        ///< along its field; infinite is sent as a negative number
+  NavStatus status = NavStatus::Flying;
+  AgentId asks = 0;                       ///< the UAV that stands in its way and must move aside; 0: nobody
+  AgentId on_behalf_of = 0;               ///< whose right of way it inherits; its own id if nobody's
+  std::array<CellIndex, 4> next_cells{};  ///< the first cells of its way from `to_m`; the last one repeated
+
+  bool operator==(const Intent&) const = default;
+};
+
+/// 8 x 8 cells of one level. 2 bits a cell, cell n of the tile (row by row) in bits 2n of the words.
+struct MapTile {
+  std::uint32_t tile = 0;
+  std::uint32_t epoch = 0;
+  std::array<std::uint64_t, 2> cells{};
+  std::uint32_t version = 0;  ///< of the tile in its sender's log
+
+  bool operator==(const MapTile&) const = default;
+};
+
+struct Seen {
+  AgentId agent = 0;
+  std::uint32_t version = 0;
+
+  bool operator==(const Seen&) const = default;
+};
+
+struct ObstacleMapSample {
+  std::uint64_t run = 0;
+  AgentId agent = 0;
+  std::uint32_t incarnation = 0;
+  std::uint32_t round = 0;
+  Intent intent;
+  std::uint32_t version = 0;  ///< of the sender's own log
+  std::vector<Seen> seen;     ///< version vector: of each peer's log, up to where the sender holds it
+  std::vector<MapTile> tiles;
+
+  bool operator==(const ObstacleMapSample&) const = default;
+};
+
+}  // namespace skein

@@ -1,0 +1,57 @@
+#include "planner/core/options/transit_options.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace skein {
+namespace {
+
+template <typename Options, std::size_t N>
+std::optional<OptionFault> out_of_range(const Options& options, const std::array<OptionField<Options>, N>& fields) {
+  for (const OptionField<Options>& field : fields) {
+    const double value = options.*field.member;
+    if (value >= field.min && value <= field.max) continue;
+    return OptionFault{std::string(field.key),
+                       fmt::format("{} is {}; allowed: {} to {}{}{}", field.key, value, field.min, field.max,
+                                   field.unit.empty() ? "" : " ", field.unit)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TransitOptions> transit_defaults_of(std::string_view planner) {
+  if (std::ranges::find(kTransitPlanners, planner) == kTransitPlanners.end()) return std::nullopt;
+  TransitOptions options;
+  options.name = planner;
+  return options;
+}
+
+std::optional<OptionFault> validate(const TransitOptions& options) {
+  if (!transit_defaults_of(options.name)) {
+    return OptionFault{"name", fmt::format("'{}' is no transit planner; allowed: {}", options.name,
+                                           fmt::join(kTransitPlanners, ", "))};
+  }
+  if (auto fault = out_of_range(options, kTransitFields)) return fault;
+  for (const auto& [key, value] : {std::pair{"patience", options.patience}, {"share_maps", options.share_maps}}) {
+    if (std::floor(value) != value)
+      return OptionFault{key, fmt::format("{} is {}; allowed: whole numbers", key, value)};
+  }
+  return std::nullopt;
+}
+
+std::optional<OptionFault> validate(const RadioOptions& options) {
+  if (auto fault = out_of_range(options, kRadioFields)) return fault;
+  if (std::floor(options.latency_rounds) == options.latency_rounds) return std::nullopt;
+  return OptionFault{"latency_rounds",
+                     fmt::format("latency_rounds is {}; allowed: whole numbers", options.latency_rounds)};
+}
+
+std::optional<OptionFault> validate(const SensorOptions& options) {
+  return out_of_range(options, kSensorFields);
+}
+
+}  // namespace skein
