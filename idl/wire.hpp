@@ -16,23 +16,23 @@
 namespace skein::wire {
 
 /// The version that type names carry; processes of different versions never match.
-inline constexpr std::uint32_t kWireVersion = 2;
+inline constexpr std::uint32_t kWireVersion = 3;
 
-using v2::Area;
-using v2::Beacon;
-using v2::DirectedPoint;
-using v2::Ground;
-using v2::Header;
-using v2::Lack;
-using v2::LiveAgent;
-using v2::Mission;
-using v2::Point3;
-using v2::RendezvousPlanner;
-using v2::Representative;
-using v2::Sense;
-using v2::Tick;
-using v2::TurnedAway;
-using v2::Vehicle;
+using v3::Area;
+using v3::Beacon;
+using v3::DirectedPoint;
+using v3::Ground;
+using v3::Header;
+using v3::Lack;
+using v3::LiveAgent;
+using v3::Mission;
+using v3::Point3;
+using v3::RendezvousPlanner;
+using v3::Representative;
+using v3::Sense;
+using v3::Tick;
+using v3::TurnedAway;
+using v3::Vehicle;
 
 /// Any sample of the protocol.
 using Sample = std::variant<Mission, Tick, Sense, Representative, Beacon>;
@@ -43,6 +43,7 @@ inline constexpr std::size_t kMaxVehicles = 256;
 inline constexpr std::size_t kMaxZones = 1024;
 inline constexpr std::size_t kMaxParticle = 16;
 inline constexpr std::size_t kMaxRefused = 256;
+inline constexpr std::size_t kMaxReason = 512;
 inline constexpr std::size_t kMaxMatched = 257;
 inline constexpr std::size_t kMaxNeeds = 512;
 

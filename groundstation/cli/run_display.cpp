@@ -74,8 +74,6 @@ void RunDisplay::result(const nlohmann::ordered_json& report, const std::string&
     std::cout << report.dump(2) << "\n" << std::flush;
     return;
   }
-  const bool good = report.at("success").get<bool>();
-  const char* paint = colour_ ? (good ? "\x1b[32m" : "\x1b[31m") : "";
   std::cout << fmt::format("{:>8} {:>10} {:>13} {:>13} {:>9} {:>14}  {}\n", "vehicle", "pid", "planned (km)",
                            "flown (km)", "arrival", "curvature/km", "status");
   for (const auto& vehicle : report.at("vehicles")) {
@@ -96,6 +94,22 @@ void RunDisplay::result(const nlohmann::ordered_json& report, const std::string&
                            report.at("collisions").get<int>());
   std::cout << fmt::format("state hash {}, seed {}, report {}/report.json\n",
                            report.at("state_hash").get<std::string>(), report.at("seed").dump(), folder);
+  verdict(report);
+}
+
+void RunDisplay::outcome(const nlohmann::ordered_json& result) const {
+  if (json_) {
+    std::cout << result.dump(2) << "\n" << std::flush;
+    return;
+  }
+  std::cout << fmt::format("ended at step {}, {} s; state hash {}\n", result.at("step").get<int>(),
+                           number(result.at("time_s"), 1.0, 1), result.at("state_hash").get<std::string>());
+  verdict(result);
+}
+
+void RunDisplay::verdict(const nlohmann::ordered_json& report) const {
+  const bool good = report.at("success").get<bool>();
+  const char* paint = colour_ ? (good ? "\x1b[32m" : "\x1b[31m") : "";
   std::cout << fmt::format("{}{}: {}{}\n", paint, good ? "success" : "failed", report.at("reason").get<std::string>(),
                            colour_ ? "\x1b[0m" : "")
             << std::flush;

@@ -19,8 +19,11 @@ class RunDisplay {
   /// The last line of progress is complete.
   void end();
   void result(const nlohmann::ordered_json& report, const std::string& folder) const;
+  /// What an observer knows of a run that ended.
+  void outcome(const nlohmann::ordered_json& result) const;
 
  private:
+  void verdict(const nlohmann::ordered_json& report) const;
   void put(const std::string& line, bool lasting);
 
   bool json_;

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <set>
 
+#include "groundstation/attach/attach.hpp"
 #include "groundstation/cli/run_display.hpp"
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/inprocess/in_process.hpp"
@@ -27,6 +28,7 @@ using Json = nlohmann::ordered_json;
 struct RunArguments {
   WorldArguments world;
   bool in_process = false;
+  bool attach = false;
   bool json = false;
   std::size_t per_process = 1;
   std::string roster;
@@ -168,9 +170,22 @@ int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario&
   return deliver(result.report, folder, display);
 }
 
+int watch(const RunArguments& arguments, RunDisplay& display) {
+  const Attached attached = attach(arguments.world.common, [&](const auto& state) { display.show(state); });
+  display.end();
+  if (attached.result.is_null()) {
+    std::cerr << "skein run --attach: " << attached.reason << "\n";
+  } else {
+    display.outcome(attached.result);
+  }
+  return attached.exit_code;
+}
+
 int run(RunArguments& arguments) {
   RunDisplay display(arguments.json);
   try {
+    if (arguments.attach) return watch(arguments, display);
+    if (arguments.world.scenario.empty()) throw std::runtime_error("SCENARIO is required, or --attach");
     if (!arguments.roster.empty() && !arguments.in_process) {
       throw std::runtime_error("--roster replays in process: add --in-process");
     }
@@ -204,6 +219,13 @@ VerbAction add_run_verb(CLI::App& app) {
   verb->add_option("--per-process", arguments->per_process, "vehicles that share an agent process, 1 to 256")
       ->check(CLI::Range(std::size_t{1}, std::size_t{kMaxAgents}))
       ->capture_default_str();
+  CLI::Option* attach = verb->add_flag("--attach", arguments->attach,
+                                       "watch a run that others started, until it ends; its exit code is this one's");
+  verb->get_option("SCENARIO")->required(false);
+  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--agents", "--out", "--realtime", "--fail-fast",
+                           "--fault", "--in-process", "--roster", "--per-process"}) {
+    attach->excludes(verb->get_option(name));
+  }
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");
   return [arguments] { return run(*arguments); };
 }

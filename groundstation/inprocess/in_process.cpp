@@ -57,7 +57,7 @@ class Harness final : public ProcessControl {
       session_.poll(now_s_);
       note_times();
       if (options_.signal && !signal && (signal = options_.signal())) {
-        session_.interrupt(fmt::format("ended by signal {}", *signal), now_s_);
+        session_.interrupt(fmt::format("ended by signal {}", *signal), 128 + *signal, now_s_);
       }
       if (session_.run().rounds() == round) {
         now_s_ += wait_s();
@@ -65,8 +65,8 @@ class Harness final : public ProcessControl {
         options_.on_round(session_);
       }
     }
-    const ReportContext context{"in-process", signal, bus_.overflowed(), wall_};
-    return {make_report(session_, scenario_, context), exit_code_of(session_, context)};
+    const ReportContext context{"in-process", bus_.overflowed(), wall_};
+    return {make_report(session_, scenario_, context), session_.outcome().exit_code};
   }
 
  private:

@@ -28,27 +28,27 @@ template <typename Sample>
 struct Carried;
 template <>
 struct Carried<wire::Mission> {
-  using Type = v2::MissionPubSubType;
+  using Type = v3::MissionPubSubType;
   static constexpr TopicId kTopic = TopicId::Mission;
 };
 template <>
 struct Carried<wire::Tick> {
-  using Type = v2::TickPubSubType;
+  using Type = v3::TickPubSubType;
   static constexpr TopicId kTopic = TopicId::Tick;
 };
 template <>
 struct Carried<wire::Sense> {
-  using Type = v2::SensePubSubType;
+  using Type = v3::SensePubSubType;
   static constexpr TopicId kTopic = TopicId::Sense;
 };
 template <>
 struct Carried<wire::Beacon> {
-  using Type = v2::BeaconPubSubType;
+  using Type = v3::BeaconPubSubType;
   static constexpr TopicId kTopic = TopicId::Beacon;
 };
 template <>
 struct Carried<wire::Representative> {
-  using Type = v2::RepresentativePubSubType;
+  using Type = v3::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
 };
 
@@ -136,6 +136,10 @@ class Reader final : private fdds::DataReaderListener {
       : own_(participant.key()), subscriber_(subscriber), book_(book), wake_(wake), inbox_(inbox), ring_(ring) {
     fdds::DataReaderQos qos = subscriber->get_default_datareader_qos();
     apply(topic(kTopic), qos);
+    // an observer that hangs must not slow a swarm; what is latched is sent once, and would else be missed
+    if (book.own().role == Role::Observer && !topic(kTopic).latched) {
+      qos.reliability().kind = fdds::BEST_EFFORT_RELIABILITY_QOS;
+    }
     reader_ =
         subscriber->create_datareader(topic_of<Sample>(participant), qos, this,
                                       fdds::StatusMask::subscription_matched() << fdds::StatusMask::data_available());

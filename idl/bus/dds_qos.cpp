@@ -43,7 +43,9 @@ void set_bounds(const TopicSpec& spec, fdds::HistoryQosPolicy& history, fdds::Re
 void apply(const DdsConfig& config, const PeerInfo& own, fdds::DomainParticipantQos& qos) {
   const std::string text = to_text(own);
   qos.user_data().setValue({text.begin(), text.end()});
-  qos.name(own.role == Role::World ? "skein world" : "skein agent " + std::to_string(own.id));
+  qos.name(own.role == Role::World   ? "skein world"
+           : own.role == Role::Agent ? "skein agent " + std::to_string(own.id)
+                                     : "skein observer");
   auto& builtin = qos.wire_protocol().builtin;
   builtin.mutation_tries = 250;  // a swarm needs more ports than the stock 100 tries find
   auto& discovery = builtin.discovery_config;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -88,6 +89,16 @@ std::optional<std::string> PeerBook::conflict() const {
     if (auto text = conflict_between(own_, *peer.info)) return text;
   }
   return std::nullopt;
+}
+
+std::vector<std::string> PeerBook::swarms(bool with_world) const {
+  std::set<std::string> names;
+  const std::lock_guard lock(mutex_);
+  for (const auto& [process, peer] : peers_) {
+    if (!peer.info || peer.info->role == Role::Observer) continue;
+    if (peer.info->role == Role::World || !with_world) names.insert(peer.info->swarm);
+  }
+  return {names.begin(), names.end()};
 }
 
 }  // namespace skein::bus

@@ -52,6 +52,9 @@ class PeerBook {
   /// version. For a world: another world of its swarm started earlier (the lower nonce, if at the same time).
   [[nodiscard]] std::optional<std::string> conflict() const;
 
+  /// The swarms of the processes that are there, ascending, each once; `with_world` leaves out those without a world.
+  [[nodiscard]] std::vector<std::string> swarms(bool with_world) const;
+
   [[nodiscard]] const PeerInfo& own() const { return own_; }
 
  private:

@@ -42,6 +42,11 @@ wire::Tick to_wire(const Tick& tick, const Stamp& stamp) {
     out.refused()[i].reason(static_cast<std::uint8_t>(tick.refused[i].reason));
   }
   out.world_hash(tick.world_hash);
+  if (tick.outcome) {
+    require_bound(tick.outcome->reason.size(), wire::kMaxReason, "tick.reason");
+    out.exit_code(tick.outcome->exit_code);
+    out.reason(tick.outcome->reason);
+  }
   return out;
 }
 
@@ -53,6 +58,7 @@ Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context) {
   check.within(sample.time_s(), 0.0, limits::kTime_s, "tick.time_s");
   check.size_at_most(sample.roster().size(), wire::kMaxVehicles, "tick.roster");
   check.size_at_most(sample.refused().size(), wire::kMaxRefused, "tick.refused");
+  check.text(sample.reason().c_str(), "tick.reason");
   if (!check.ok()) return check.fault();
   check_roster(check, sample.roster());
   for (const wire::TurnedAway& refusal : sample.refused()) {
@@ -75,6 +81,7 @@ Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context) {
     out.refused.push_back({refusal.nonce(), static_cast<RefusalReason>(refusal.reason())});
   }
   out.world_hash = sample.world_hash();
+  if (out.phase == Phase::Finished) out.outcome = Outcome{sample.exit_code(), sample.reason().to_string()};
   return out;
 }
 

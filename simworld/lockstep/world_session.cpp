@@ -167,8 +167,7 @@ void WorldSession::add_loss(AgentId agent, LossReason reason) {
 void WorldSession::process_ended(AgentId agent, double now_s) {
   interventions_.process_ended(agent);
   if (!admission_.closed()) {
-    lost_before_start_ = true;
-    refuse_start(fmt::format("agent {} ended before the run started", agent), now_s);
+    refuse_start(fmt::format("agent {} ended before the run started", agent), now_s, ExitCode::AgentLost);
   } else {
     admission_.forget_newcomer(agent);
     add_loss(agent, LossReason::ProcessEnded);
@@ -193,7 +192,7 @@ bool WorldSession::is_held(double now_s) {
   }
   const auto failure = interventions_.failure(now_s, std::max(deadline_s_, kPatience_s),
                                               std::max(deadline_s_, options_.startup_timeout_s));
-  if (failure) interrupt(*failure, now_s);
+  if (failure) interrupt(*failure, static_cast<int>(ExitCode::Failed), now_s);
   return true;
 }
 
@@ -235,6 +234,10 @@ void WorldSession::close(double now_s) {
 
 void WorldSession::open(const Tick& tick, double now_s) {
   tick_ = tick;
+  if (tick_.phase == Phase::Finished) {
+    tick_.outcome = outcome();
+    tick_.outcome->reason.resize(std::min(tick_.outcome->reason.size(), wire::kMaxReason));
+  }
   away_s_ = 0.0;
   barrier_.open(tick_, now_s);
   pacer_.opened(tick_.phase, now_s);
@@ -259,9 +262,9 @@ void WorldSession::publish_sense(const RosterEntry& entry, double now_s) {
   send(run_.sense_of(entry), topics_.sense, now_s);
 }
 
-void WorldSession::interrupt(std::string reason, double now_s) {
+void WorldSession::interrupt(std::string reason, int exit_code, double now_s) {
   if (state_ == State::Closing || state_ == State::Done) return;
-  interrupted_ = std::move(reason);
+  interrupted_ = Outcome{static_cast<std::uint8_t>(exit_code), std::move(reason)};
   close(now_s);
   if (topics_.mission.samples == 0) return give_up();  // nobody has heard of this run
   Tick last = tick_;

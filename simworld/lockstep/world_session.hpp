@@ -71,18 +71,19 @@ class WorldSession {
   void process_ended(AgentId agent, double now_s);
   /// And that it is stopped, as it was told.
   void process_stopped(AgentId agent) { interventions_.process_stopped(agent); }
-  /// The run must not start (another world has the swarm): ends with exit code 3. Without effect once it runs.
-  void refuse_start(const std::string& reason, double now_s);
+  /// The run must not start (another world has the swarm): ends with that exit code. Without effect once it runs.
+  void refuse_start(const std::string& reason, double now_s, ExitCode code = ExitCode::StartUp);
   /// Does not wait for anybody any more.
   void give_up() { state_ = State::Done; }
-  /// Ends the run now, with a final tick; `reason` goes into the report.
-  void interrupt(std::string reason, double now_s);
+  /// Ends the run now, with a final tick; reason and exit code go into it and into the report.
+  void interrupt(std::string reason, int exit_code, double now_s);
 
   [[nodiscard]] State state() const { return state_; }
-  /// Why the run never started or was cut short; empty otherwise.
+  /// Why the run never started; empty otherwise.
   [[nodiscard]] const std::string& start_failure() const { return start_failure_; }
-  [[nodiscard]] const std::string& interrupted() const { return interrupted_; }
-  [[nodiscard]] bool lost_before_start() const { return lost_before_start_; }
+  [[nodiscard]] bool interrupted() const { return interrupted_.has_value(); }
+  /// What the run came to. @pre it is over
+  [[nodiscard]] Outcome outcome() const;
   [[nodiscard]] const Run& run() const { return run_; }
   [[nodiscard]] std::size_t introduced() const { return admission_.introduced(); }
   [[nodiscard]] std::size_t matched() const { return admission_.matched(world_matched_); }
@@ -147,8 +148,7 @@ class WorldSession {
   std::vector<std::uint64_t> world_matched_;
   std::vector<bus::WorldInbound> inbox_;
   std::string start_failure_;
-  std::string interrupted_;
-  bool lost_before_start_ = false;
+  std::optional<Outcome> interrupted_;
   TopicCounts topics_;
   PhaseTimes times_;
   FaultCounts faults_;

@@ -45,10 +45,10 @@ void WorldSession::start(double now_s) {
   go_on(first, now_s);
 }
 
-void WorldSession::refuse_start(const std::string& reason, double now_s) {
+void WorldSession::refuse_start(const std::string& reason, double now_s, ExitCode code) {
   if (state_ != State::Waiting) return;
   start_failure_ = reason;
-  interrupt(reason, now_s);
+  interrupt(reason, static_cast<int>(code), now_s);
 }
 
 }  // namespace skein

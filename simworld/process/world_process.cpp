@@ -57,7 +57,7 @@ class WorldProcess {
   }
 
   [[nodiscard]] nlohmann::ordered_json report() const {
-    return make_report(session_, scenario_, {"dds", signal_, port_.lost()});
+    return make_report(session_, scenario_, {"dds", port_.lost()});
   }
   [[nodiscard]] bool launched() const { return launched_; }
 
@@ -78,7 +78,8 @@ class WorldProcess {
     while (const auto signal = signals_.take()) {
       if (signal_) session_.give_up();  // the second one ends at once
       signal_ = signal;
-      session_.interrupt(fmt::format("ended by {}", *signal == SIGINT ? "SIGINT" : "SIGTERM"), steady_now_s());
+      session_.interrupt(fmt::format("ended by {}", *signal == SIGINT ? "SIGINT" : "SIGTERM"), 128 + *signal,
+                         steady_now_s());
     }
   }
 
@@ -91,7 +92,8 @@ class WorldProcess {
         session_.process_stopped(stopped->get<AgentId>());
       }
     }
-    if (launched_ && !channel_.open()) session_.interrupt("the launcher ended", steady_now_s());
+    if (launched_ && !channel_.open())
+      session_.interrupt("the launcher ended", static_cast<int>(ExitCode::Failed), steady_now_s());
   }
 
   Scenario scenario_;

@@ -97,45 +97,20 @@ std::uint32_t whole(const nlohmann::json& item, const char* key, std::uint64_t l
 }
 
 /// What was asked for and never came to pass, as the end of a reason; empty if nothing.
-std::string unused_of(const WorldSession& session) {
-  std::string text;
-  for (const Fault& fault : session.unused_faults()) {
-    text += fmt::format("; the fault {} never took place", text_of(fault));
-  }
-  for (const RosterChange& change : session.unused_changes()) {
-    text += fmt::format("; the {} of agent {} at round {} never took place",
-                        change.reason == LossReason::Rejoined ? "return" : "loss", change.agent, change.round);
-  }
-  return text;
-}
-
 /// Outcome: success, reason, who is missing.
-Json outcome_of(const WorldSession& session, int exit_code) {
-  Json outcome;
-  outcome["success"] = exit_code == 0;
-  outcome["exit_code"] = exit_code;
-  const bool whole = session.interrupted().empty() && session.start_failure().empty();
-  const Verdict verdict = whole ? session.run().verdict() : Verdict{};
-  outcome["reason"] = !session.start_failure().empty() ? session.start_failure()
-                      : !session.interrupted().empty() ? session.interrupted()
-                                                       : verdict.reason + unused_of(session);
-  outcome["completed_without"] = verdict.completed_without;
-  return outcome;
+Json outcome_of(const WorldSession& session) {
+  const Outcome outcome = session.outcome();
+  return {{"success", outcome.exit_code == 0},
+          {"exit_code", outcome.exit_code},
+          {"reason", outcome.reason},
+          {"completed_without",
+           session.interrupted() ? std::vector<AgentId>{} : session.run().verdict().completed_without}};
 }
 
 }  // namespace
 
 std::string_view version() {
   return SKEIN_VERSION;
-}
-
-int exit_code_of(const WorldSession& session, const ReportContext& context) {
-  if (session.lost_before_start()) return static_cast<int>(ExitCode::AgentLost);
-  if (!session.start_failure().empty()) return static_cast<int>(ExitCode::StartUp);
-  if (context.signal) return 128 + *context.signal;
-  if (!session.interrupted().empty()) return static_cast<int>(ExitCode::Failed);
-  const ExitCode code = session.run().verdict().code;
-  return static_cast<int>(code == ExitCode::Success && !unused_of(session).empty() ? ExitCode::Failed : code);
 }
 
 Json make_report(const WorldSession& session, const Scenario& scenario, const ReportContext& context) {
@@ -146,7 +121,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   const Json plan_s = span_s(times.started_s, planned_s);
   const Json flight_s = span_s(times.flying_s, times.finished_s);
 
-  Json report = outcome_of(session, exit_code_of(session, context));
+  Json report = outcome_of(session);
   report["state_hash"] = fmt::format("{:016x}", run.state_hash());
   report["seed"] = scenario.mission.seed;
   report["scenario"] = scenario.mission.name;

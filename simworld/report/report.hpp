@@ -15,13 +15,9 @@ namespace skein {
 /// What the report needs besides the session.
 struct ReportContext {
   std::string carrier;                  ///< "dds" or "in-process"
-  std::optional<int> signal = {};       ///< that ended the run
   std::uint64_t lost_samples = 0;       ///< on the world's side of the bus
   std::optional<PhaseTimes> wall = {};  ///< when the session's own clock is not the wall's
 };
-
-/// Exit code of a run: 3 before 128 + signal before the verdict's (docs/architecture.md).
-[[nodiscard]] int exit_code_of(const WorldSession& session, const ReportContext& context);
 
 /// The report of a session that is over (state Done). Figures that do not exist (no flight, one vehicle) are null.
 [[nodiscard]] nlohmann::ordered_json make_report(const WorldSession& session, const Scenario& scenario,

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "planner/core/geometry/types.hpp"
@@ -63,6 +65,14 @@ struct Refusal {
   bool operator==(const Refusal&) const = default;
 };
 
+/// What a run came to, as the world's last tick says.
+struct Outcome {
+  std::uint8_t exit_code = 0;  ///< of the world's process (docs/architecture.md)
+  std::string reason;          ///< one line
+
+  bool operator==(const Outcome&) const = default;
+};
+
 struct Tick {
   std::uint64_t run = 0;
   std::uint32_t step = 0;  ///< the flight step that this tick opens, from 1; 0 while the swarm plans on the ground
@@ -71,7 +81,8 @@ struct Tick {
   double time_s = 0.0;
   std::vector<RosterEntry> roster;  ///< by ascending id
   std::vector<Refusal> refused;
-  std::uint64_t world_hash = 0;  ///< H of the round before
+  std::uint64_t world_hash = 0;    ///< H of the round before
+  std::optional<Outcome> outcome;  ///< given with phase Finished
 
   bool operator==(const Tick&) const = default;
 };

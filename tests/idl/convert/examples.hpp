@@ -60,6 +60,13 @@ inline Tick tick() {
   return t;
 }
 
+inline Tick last_tick() {
+  Tick t = tick();
+  t.phase = Phase::Finished;
+  t.outcome = Outcome{4, "agent 3 was lost at step 5, round 6: process_ended; the others arrived"};
+  return t;
+}
+
 inline Sense sense() {
   return {77, 3, 2, 6, {Vec3(1.5, -2.5, 3.5), 0.75, -0.25}, Vec3(4.0, -5.0, 6.0)};
 }

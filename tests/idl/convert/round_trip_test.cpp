@@ -22,6 +22,7 @@ TEST(RoundTrip, Mission) {
 }
 TEST(RoundTrip, Tick) {
   EXPECT_EQ(there_and_back(examples::tick()).value(), examples::tick());
+  EXPECT_EQ(there_and_back(examples::last_tick()).value(), examples::last_tick());
 }
 TEST(RoundTrip, Sense) {
   EXPECT_EQ(there_and_back(examples::sense()).value(), examples::sense());

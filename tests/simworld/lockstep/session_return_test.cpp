@@ -220,7 +220,6 @@ TEST(SessionReturn, ARestartAtTheFirstRoundHoldsTheStart) {
   const Tick tick = stage.last_tick();
   EXPECT_EQ(tick.round, 1U);
   EXPECT_EQ(tick.roster[1].incarnation, 2U);
-  EXPECT_FALSE(stage.session.lost_before_start());
 }
 
 TEST(SessionReturn, ARestartWithoutEffectEndsTheRun) {
@@ -236,7 +235,7 @@ TEST(SessionReturn, ARestartWithoutEffectEndsTheRun) {
   stage.until(20.0);
   EXPECT_EQ(stage.session.state(), State::Running);
   stage.at(20.1);
-  EXPECT_EQ(stage.session.interrupted(), "the fault on agent 2 took no effect within 20 s");
+  EXPECT_EQ(stage.session.outcome().reason, "the fault on agent 2 took no effect within 20 s");
 }
 
 TEST(SessionReturn, AReplayWaitsForTheReturnAndLetsNobodyElseIn) {

@@ -36,7 +36,7 @@ TEST(SessionRun, FliesToTheEndAndWaitsForTheLastAnswers) {
 TEST(SessionRun, DoesNotWaitForeverForTheLastAnswers) {
   Stage stage(1);
   (void)stage.start();
-  stage.session.interrupt("ended by signal 2", 0.0);
+  stage.session.interrupt("ended by signal 2", 130, 0.0);
   stage.at(2.0);
   EXPECT_EQ(stage.session.state(), State::Closing);
   stage.at(2.1);
@@ -222,7 +222,7 @@ TEST(SessionRun, AFaultWithoutEffectEndsTheRun) {
   stage.say(closing(1, tick.round, AgentMode::Ready));
   stage.at(1.0);
   stage.until(11.1);
-  EXPECT_EQ(stage.session.interrupted(), "the fault on agent 1 took no effect within 10 s");
+  EXPECT_EQ(stage.session.outcome().reason, "the fault on agent 1 took no effect within 10 s");
 }
 
 TEST(SessionRun, ReplaysTheLossesOfAnotherRun) {
@@ -240,14 +240,15 @@ TEST(SessionRun, ReplaysTheLossesOfAnotherRun) {
 TEST(SessionRun, InterruptSendsAFinishedTick) {
   Stage stage(2);
   const Tick tick = stage.start();
-  stage.session.interrupt("ended by signal 15", 0.2);
+  stage.session.interrupt("ended by signal 15", 143, 0.2);
   const Tick last = stage.last_tick();
   EXPECT_EQ(last.phase, Phase::Finished);
   EXPECT_EQ(last.round, tick.round + 1);
   EXPECT_EQ(last.roster.size(), 2U);
-  EXPECT_EQ(stage.session.interrupted(), "ended by signal 15");
-  stage.session.interrupt("again", 0.3);
-  EXPECT_EQ(stage.session.interrupted(), "ended by signal 15");
+  EXPECT_EQ(last.outcome, (Outcome{143, "ended by signal 15"}));
+  EXPECT_EQ(stage.session.outcome(), (Outcome{143, "ended by signal 15"}));
+  stage.session.interrupt("again", 1, 0.3);
+  EXPECT_EQ(stage.session.outcome(), (Outcome{143, "ended by signal 15"}));
   EXPECT_TRUE(stage.port.sent.empty());
 }
 
@@ -271,7 +272,7 @@ TEST(SessionRun, HasNothingToDoWhileItWaits) {
 TEST(SessionRun, HasNothingToDoWhileItCloses) {
   Stage stage(1);
   (void)stage.start();
-  stage.session.interrupt("ended by signal 2", 0.0);
+  stage.session.interrupt("ended by signal 2", 130, 0.0);
   stage.at(1.5);
   EXPECT_GT(stage.session.idle_s(1.5), 0.1);
 }

@@ -97,7 +97,7 @@ TEST(SessionStart, RefusedStartEndsTheSession) {
   Stage stage(1);
   stage.session.refuse_start("another world has the swarm", 0.1);
   EXPECT_EQ(stage.session.start_failure(), "another world has the swarm");
-  EXPECT_FALSE(stage.session.lost_before_start());
+  EXPECT_EQ(stage.session.outcome().exit_code, 3);
   EXPECT_EQ(stage.last_tick().phase, Phase::Finished);
   stage.at(0.2);
   EXPECT_EQ(stage.session.state(), State::Done);
@@ -114,7 +114,7 @@ TEST(SessionStart, RefusalHasNoEffectOnARun) {
 TEST(SessionStart, AProcessThatEndsBeforeTheStartEndsIt) {
   Stage stage(2);
   stage.session.process_ended(2, 0.3);
-  EXPECT_TRUE(stage.session.lost_before_start());
+  EXPECT_EQ(stage.session.outcome().exit_code, 4);
   EXPECT_EQ(stage.session.start_failure(), "agent 2 ended before the run started");
 }
 

@@ -1,0 +1,128 @@
+#include "groundstation/attach/attach.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "groundstation/attach/observed_run.hpp"
+#include "idl/process/dds_config.hpp"
+#include "idl/process/poll.hpp"
+#include "idl/process/signals.hpp"
+
+namespace skein {
+namespace {
+
+constexpr double kHearAll_s =
+    1.5;  ///< in which all swarms of a domain are heard: they announce themselves every second
+constexpr double kSilence_s = 30.0;  ///< without a tick of any phase, as agents take it
+constexpr double kLastTick_s = 2.0;  ///< for a last tick that is still on its way when its world is gone
+constexpr int kUsage = 2;
+constexpr int kStartUp = 3;
+constexpr int kLost = 4;
+
+Attached without_result(int exit_code, std::string reason) {
+  return {exit_code, nullptr, std::move(reason)};
+}
+
+class Watch {
+ public:
+  Watch(const CommonFlags& flags, const std::function<void(const nlohmann::json&)>& show)
+      : flags_(flags), show_(show), signals_({SIGINT, SIGTERM}) {}
+
+  Attached run() {
+    CommonFlags flags = flags_;
+    if (flags.swarm.empty()) {
+      const std::vector<std::string> swarms = find_swarms();
+      if (ended_) return *ended_;
+      if (swarms.size() != 1) return choose(swarms);
+      flags.swarm = swarms.front();
+    }
+    return follow(flags);
+  }
+
+ private:
+  /// Sleeps until there is something to do, `limit_s` at most. @return whether a signal ended the watch
+  bool wait(int fd, double limit_s) {
+    wait_readable({fd, signals_.fd()}, std::max(0.0, limit_s));
+    if (const auto signal = signals_.take()) {
+      ended_ = without_result(128 + *signal, fmt::format("ended by {}", *signal == SIGINT ? "SIGINT" : "SIGTERM"));
+    }
+    return ended_.has_value();
+  }
+
+  /// All of them, once the first was heard.
+  std::vector<std::string> find_swarms() {
+    const bus::DdsSwarmFinder finder(dds_config(flags_, kWorldId, random_id()));
+    const double start_s = steady_now_s();
+    double until_s = start_s + flags_.startup_timeout_s;
+    std::vector<std::string> swarms;
+    while (steady_now_s() < until_s) {
+      if (wait(finder.wake_fd(), until_s - steady_now_s())) return {};
+      const bool first = swarms.empty();
+      swarms = finder.swarms();
+      if (first && !swarms.empty()) until_s = std::min(until_s, steady_now_s() + kHearAll_s);
+    }
+    return swarms;
+  }
+
+  [[nodiscard]] Attached choose(const std::vector<std::string>& swarms) const {
+    if (swarms.empty()) {
+      return without_result(kStartUp,
+                            fmt::format("no swarm in domain {} within {} s", flags_.domain, flags_.startup_timeout_s));
+    }
+    return without_result(kUsage, fmt::format("domain {} has {} swarms: {}; choose one with --swarm", flags_.domain,
+                                              swarms.size(), fmt::join(swarms, ", ")));
+  }
+
+  Attached follow(const CommonFlags& flags) {
+    bus::DdsObserverPort port(dds_config(flags, kWorldId, random_id()));
+    ObservedRun run;
+    std::vector<bus::ObserverInbound> arrived;
+    double heard_s = steady_now_s();  // a tick, or that the world came or went
+    bool has_world = false;
+    bool had_world = false;
+    while (!run.outcome()) {
+      if (port.has_world() != has_world) {
+        has_world = !has_world;
+        had_world = true;
+        heard_s = steady_now_s();
+      }
+      const bool gone = had_world && !has_world;
+      const double limit_s = gone ? kLastTick_s : run.heard_tick() ? kSilence_s : flags.startup_timeout_s;
+      const double left_s = heard_s + limit_s - steady_now_s();
+      if (left_s <= 0.0) return silence(flags, gone, run.heard_tick(), limit_s);
+      if (wait(port.wake_fd(), left_s)) return *ended_;
+      arrived.clear();
+      port.take(arrived);
+      for (const bus::ObserverInbound& sample : arrived) {
+        if (std::holds_alternative<wire::Tick>(sample)) heard_s = steady_now_s();
+        run.take(sample);
+      }
+      if (!arrived.empty() && run.heard_tick() && !run.outcome()) show_(run.progress());
+    }
+    return {run.outcome()->exit_code, run.result(), run.outcome()->reason};
+  }
+
+  static Attached silence(const CommonFlags& flags, bool gone, bool heard, double limit_s) {
+    if (gone)
+      return without_result(kLost, fmt::format("the world of swarm {} is gone, without a last tick", flags.swarm));
+    return without_result(kStartUp, heard ? fmt::format("no tick of a world for {} s", limit_s)
+                                          : fmt::format("no world of swarm {} in domain {} within {} s", flags.swarm,
+                                                        flags.domain, limit_s));
+  }
+
+  const CommonFlags& flags_;
+  const std::function<void(const nlohmann::json&)>& show_;
+  SignalWatch signals_;
+  std::optional<Attached> ended_;
+};
+
+}  // namespace
+
+Attached attach(const CommonFlags& flags, const std::function<void(const nlohmann::json&)>& show) {
+  return Watch(flags, show).run();
+}
+
+}  // namespace skein
