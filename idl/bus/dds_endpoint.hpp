@@ -18,6 +18,7 @@
 #include "idl/bus/dds_participant.hpp"
 #include "idl/msg/beaconPubSubTypes.h"
 #include "idl/msg/missionPubSubTypes.h"
+#include "idl/msg/obstacle_mapPubSubTypes.h"
 #include "idl/msg/representativePubSubTypes.h"
 #include "idl/msg/sensePubSubTypes.h"
 #include "idl/msg/tickPubSubTypes.h"
@@ -28,28 +29,34 @@ template <typename Sample>
 struct Carried;
 template <>
 struct Carried<wire::Mission> {
-  using Type = v2::MissionPubSubType;
+  using Type = v3::MissionPubSubType;
   static constexpr TopicId kTopic = TopicId::Mission;
 };
 template <>
 struct Carried<wire::Tick> {
-  using Type = v2::TickPubSubType;
+  using Type = v3::TickPubSubType;
   static constexpr TopicId kTopic = TopicId::Tick;
 };
 template <>
 struct Carried<wire::Sense> {
-  using Type = v2::SensePubSubType;
+  using Type = v3::SensePubSubType;
   static constexpr TopicId kTopic = TopicId::Sense;
 };
 template <>
 struct Carried<wire::Beacon> {
-  using Type = v2::BeaconPubSubType;
+  using Type = v3::BeaconPubSubType;
   static constexpr TopicId kTopic = TopicId::Beacon;
 };
 template <>
 struct Carried<wire::Representative> {
-  using Type = v2::RepresentativePubSubType;
+  using Type = v3::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
+};
+
+template <>
+struct Carried<wire::ObstacleMap> {
+  using Type = v3::ObstacleMapPubSubType;
+  static constexpr TopicId kTopic = TopicId::ObstacleMap;
 };
 
 template <typename Sample>
