@@ -40,16 +40,23 @@ bool ObstacleMap::is_due(const LogEntry& entry, std::size_t origin, const Target
   if (origin == self_) return true;
   const std::size_t n = ids_.size();
   const auto turn = [&](std::size_t rank) { return (rank + n - origin) % n; };
-  std::uint32_t before_me = 0;
-  for (const Target& other : targets) {
-    if (other.rank == to.rank || turn(other.rank) >= turn(self_)) continue;
+  if (peer.answered_round == 0) return false;
+  const std::uint32_t since = std::max(entry.touched_round(), peer.met_round);
+  const std::uint32_t waited = request.round > since ? request.round - since : 0;
+  std::uint32_t passes = waited / std::max(request.patience_rounds, 1U);  // those before this one who had their time
+  const auto first = std::ranges::lower_bound(targets, origin, {}, &Target::rank);
+  const auto start = static_cast<std::size_t>(first - targets.begin());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Target& other = targets[(start + i) % targets.size()];
+    if (turn(other.rank) >= turn(self_)) break;
+    if (other.rank == to.rank) continue;
     const bool holds = other.rank == origin || peers_[other.rank].holds[origin] >= entry.version;
     const bool reaches = (other.peer.at_m - to.peer.at_m).squaredNorm() <= request.range_m * request.range_m;
-    if (holds && reaches) ++before_me;
+    if (!holds || !reaches) continue;
+    if (passes == 0) return false;
+    --passes;
   }
-  if (before_me == 0) return peer.answered_round > 0;
-  const std::uint32_t since = std::max(entry.touched_round(), peer.met_round);
-  return peer.answered_round > 0 && request.round >= since + before_me * request.patience_rounds;
+  return true;
 }
 
 std::vector<ObstacleMap::Candidate> ObstacleMap::lacked(const MapRequest& request, std::span<const Target> targets) {
@@ -87,7 +94,7 @@ std::vector<ObstacleMap::Candidate> ObstacleMap::lacked(const MapRequest& reques
   return candidates;
 }
 
-/// Its own entry, then those that changed since they were last told, then, in a quarter of the room at least, all
+/// Its own entry (alone it takes its turn), then those that changed since they were last told, then, in a quarter of the room at least, all
 /// others in turn.
 std::vector<Seen> ObstacleMap::tell_vector(std::size_t count) {
   const std::size_t n = ids_.size();
@@ -97,7 +104,7 @@ std::vector<Seen> ObstacleMap::tell_vector(std::size_t count) {
     is_told[rank] = true;
     ++told;
   };
-  if (count > 0) tell(self_);
+  if (count > 1) tell(self_);
   const std::size_t changed = count - std::max(count / 4, std::min<std::size_t>(count, 1));
   for (std::size_t i = 0; i < n && told < changed; ++i) {
     const std::size_t rank = (next_told_ + i) % n;
@@ -105,7 +112,7 @@ std::vector<Seen> ObstacleMap::tell_vector(std::size_t count) {
   }
   for (std::size_t i = 0, start = next_told_; i < n && told < count; ++i) {
     const std::size_t rank = (start + i) % n;
-    if (is_told[rank] || seen_[rank] == 0) continue;
+    if (is_told[rank] || (seen_[rank] == 0 && rank != self_)) continue;
     tell(rank);
     next_told_ = (rank + 1) % n;
   }

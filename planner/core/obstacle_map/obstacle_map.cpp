@@ -68,7 +68,7 @@ void ObstacleMap::contribute(std::uint32_t tile, const TileState& state) {
   const TileState before = own.at(tile);
   const TileState after = join(before, state);
   if (after == before) return;
-  own.write({tile, version_ + 1, after, round_, 0});  // once more in one change: nobody has seen the first yet
+  own.write({tile, version_ + 1, after, round_, 0, 0});  // once more in one change: nobody has seen the first yet
 }
 
 void ObstacleMap::close_change() {
@@ -127,7 +127,7 @@ void ObstacleMap::absorb(const MapTile& tile) {
   const TileState theirs{tile.epoch, tile.cells};
   if (*origin == self_) {
     contribute(tile.tile, theirs);  // new to the own log only if of a former life
-  } else if (!logs_[*origin].put({tile.tile, tile.version, theirs, round_, 0})) {
+  } else if (!logs_[*origin].put({tile.tile, tile.version, theirs, round_, 0, 0})) {
     return;
   }
   const TileState before = merged_[tile.tile];

@@ -17,7 +17,7 @@
 // end, so nothing starves.
 // Source: papers/004, section IV-B2 (maps of 2 bits a cell); Shapiro et al. 2011; van Renesse et al. 2008. Departs from
 // source: the paper sends the whole matrix. Complexity: observe O(changes log tiles); merge O(tiles log tiles), and a
-// pass over a log for each entry that rises; compose O(peers x tiles that one of them lacks). Memory: 40 bytes for each
+// pass over a log for each entry that rises; compose O(peers x tiles that one of them lacks). Memory: 48 bytes for each
 // tile and agent that contributed to it.
 #pragma once
 

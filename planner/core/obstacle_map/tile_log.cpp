@@ -18,12 +18,13 @@ bool TileLog::put(const LogEntry& entry) {
 }
 
 void TileLog::write(const LogEntry& entry) {
-  const auto place = place_of(entry.tile);
+  auto place = place_of(entry.tile);
   if (place != entries_.end() && place->tile == entry.tile) {
     *place = entry;
   } else {
-    entries_.insert(place, entry);
+    place = entries_.insert(place, entry);
   }
+  place->mark = StateHash(entry.tile).add(entry.version).value();
   newest_ = std::max(newest_, entry.version);
 }
 
@@ -35,7 +36,7 @@ TileState TileLog::at(std::uint32_t tile) const {
 std::uint64_t TileLog::digest(std::uint32_t up_to_version) const {
   std::uint64_t sum = 0;
   for (const LogEntry& entry : entries_) {
-    if (entry.version <= up_to_version) sum += StateHash(entry.tile).add(entry.version).value();
+    if (entry.version <= up_to_version) sum += entry.mark;
   }
   return sum;
 }

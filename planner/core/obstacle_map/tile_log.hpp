@@ -21,6 +21,7 @@ struct LogEntry {
   TileState state;
   std::uint32_t known_round = 0;  ///< since when it is here
   std::uint32_t sent_round = 0;   ///< when this version was last sent from here; 0: never
+  std::uint64_t mark = 0;         ///< hash(tile, version), set by the log
 
   /// When something last became of it.
   [[nodiscard]] std::uint32_t touched_round() const { return known_round > sent_round ? known_round : sent_round; }
