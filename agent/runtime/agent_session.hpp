@@ -62,6 +62,7 @@ class AgentSession {
   void on_sample(const wire::Tick& sample, double now_s);
   void on_sample(const wire::Sense& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);
+  void on_sample(const wire::ObstacleMap& /*sample*/, double /*now_s*/) {}
   /// The round that the newest tick opens; peers and world are ahead of it by one at most.
   [[nodiscard]] std::uint32_t open_round() const { return tick_ ? tick_->round : 0; }
   /// Whether the roster, as far as it is known, lets the sample count.

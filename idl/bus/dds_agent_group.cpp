@@ -70,22 +70,33 @@ struct DdsAgentGroup::Impl {
         sense(participant, own_subscriber, book, wake, inbox, Ring::Counted),
         representative_in(participant, subscriber, book, wake, inbox, Ring::Counted),
         representative_out(participant, publisher, book, wake),
+        map_in(participant, subscriber, book, wake, inbox, Ring::Counted),
+        map_out(participant, publisher, book, wake),
         beacon(participant, publisher, book, wake) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       members.push_back(std::make_unique<Member>(*this, ids[i], config.nonce + i));
     }
   }
 
+  bool write(const wire::Beacon& sample) { return beacon.write(sample); }
+  bool write(const wire::Representative& sample) { return representative_out.write(sample); }
+  bool write(const wire::ObstacleMap& sample) { return map_out.write(sample); }
+
   void publish(const Member& from, const AgentOutbound& sample) {
-    const auto* closing = std::get_if<wire::Beacon>(&sample);
-    const auto* shared = std::get_if<wire::Representative>(&sample);
-    const bool accepted = closing != nullptr ? beacon.write(*closing) : representative_out.write(*shared);
+    const bool accepted = std::visit([this](const auto& held) { return write(held); }, sample);
     if (!accepted) ++refused_by_dds;
-    if (shared == nullptr || members.size() == 1) return;
+    if (members.size() == 1) return;
+    if (const auto* representative = std::get_if<wire::Representative>(&sample)) share(from, *representative);
+    if (const auto* map = std::get_if<wire::ObstacleMap>(&sample)) share(from, *map);
+  }
+
+  /// With the other agents of this process, directly.
+  template <typename Shared>
+  void share(const Member& from, const Shared& sample) {
     bool awaited = false;
     for (const auto& member : members) {
       if (member.get() == &from) continue;
-      hand_over(*member, *shared);
+      hand_over(*member, sample);
       awaited = awaited || member->wake_after_ != kOnTick;
     }
     if (awaited) wake.ring();
@@ -151,6 +162,8 @@ struct DdsAgentGroup::Impl {
   Reader<wire::Sense, AgentInbound> sense;
   Reader<wire::Representative, AgentInbound> representative_in;
   Writer<wire::Representative> representative_out;
+  Reader<wire::ObstacleMap, AgentInbound> map_in;
+  Writer<wire::ObstacleMap> map_out;
   Writer<wire::Beacon> beacon;
 };
 
@@ -172,7 +185,8 @@ int DdsAgentGroup::wake_fd() const {
 
 bool DdsAgentGroup::flush(std::chrono::milliseconds limit) {
   const Deadline deadline(limit);
-  return impl_->representative_out.flush(deadline.left_s()) && impl_->beacon.flush(deadline.left_s());
+  return impl_->representative_out.flush(deadline.left_s()) && impl_->map_out.flush(deadline.left_s()) &&
+         impl_->beacon.flush(deadline.left_s());
 }
 
 std::optional<std::string> DdsAgentGroup::conflict() const {

@@ -18,6 +18,7 @@
 #include "idl/bus/dds_participant.hpp"
 #include "idl/msg/beaconPubSubTypes.h"
 #include "idl/msg/missionPubSubTypes.h"
+#include "idl/msg/obstacle_mapPubSubTypes.h"
 #include "idl/msg/representativePubSubTypes.h"
 #include "idl/msg/sensePubSubTypes.h"
 #include "idl/msg/tickPubSubTypes.h"
@@ -50,6 +51,12 @@ template <>
 struct Carried<wire::Representative> {
   using Type = v3::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
+};
+
+template <>
+struct Carried<wire::ObstacleMap> {
+  using Type = v3::ObstacleMapPubSubType;
+  static constexpr TopicId kTopic = TopicId::ObstacleMap;
 };
 
 template <typename Sample>

@@ -35,8 +35,8 @@ struct DdsConfig {
 
 /// The ports of the agents of one process: one participant, and one set of endpoints for all of them.
 ///
-/// DDS delivers a sample once to the process; it is handed to each port that it is for: mission, tick and peers'
-/// representatives to all, sense to its agent. An agent's representative goes to the agents of the same process
+/// DDS delivers a sample once to the process; it is handed to each port that it is for: mission, tick, peers'
+/// representatives and obstacle maps to all, sense to its agent. An agent's own go to the agents of the same process
 /// directly, as the same wire struct, and to all others over DDS. Discovery costs (participants x endpoints)^2, so that
 /// 64 agents in 8 processes are found as fast as 8.
 class DdsAgentGroup {

@@ -30,6 +30,8 @@ struct DdsWorldPort::Impl {
         beacon(participant, subscriber, book, wake, inbox, Ring::Counted),
         representative_in(participant, subscriber, book, wake, inbox, Ring::Silent),
         representative_out(participant, publisher, book, wake),
+        map_in(participant, subscriber, book, wake, inbox, Ring::Silent),
+        map_out(participant, publisher, book, wake),
         mission(participant, publisher, book, wake),
         tick(participant, publisher, book, wake) {
     for (const AgentId agent : agents) {
@@ -44,6 +46,7 @@ struct DdsWorldPort::Impl {
   bool write(const wire::Mission& sample) { return mission.write(sample); }
   bool write(const wire::Tick& sample) { return tick.write(sample); }
   bool write(const wire::Representative& sample) { return representative_out.write(sample); }
+  bool write(const wire::ObstacleMap& sample) { return map_out.write(sample); }
   bool write(const wire::Sense& sample) {
     const auto writer = sense.find(sample.agent());
     return writer != sense.end() && writer->second.write(sample);
@@ -59,6 +62,8 @@ struct DdsWorldPort::Impl {
   Reader<wire::Beacon, WorldInbound> beacon;
   Reader<wire::Representative, WorldInbound> representative_in;
   Writer<wire::Representative> representative_out;
+  Reader<wire::ObstacleMap, WorldInbound> map_in;
+  Writer<wire::ObstacleMap> map_out;
   Writer<wire::Mission> mission;
   Writer<wire::Tick> tick;
   std::map<AgentId, Writer<wire::Sense>> sense;
@@ -95,7 +100,7 @@ bool DdsWorldPort::flush(std::chrono::milliseconds limit) {
     if (!writer.flush(deadline.left_s())) return false;
   }
   return impl_->mission.flush(deadline.left_s()) && impl_->tick.flush(deadline.left_s()) &&
-         impl_->representative_out.flush(deadline.left_s());
+         impl_->representative_out.flush(deadline.left_s()) && impl_->map_out.flush(deadline.left_s());
 }
 
 std::optional<std::string> DdsWorldPort::conflict() const {

@@ -169,11 +169,17 @@ void MemoryBus::Hub::Agent::publish(const AgentOutbound& sample) {
     hub_.deliver(id, kWorldId, *hub_.world_, *beacon);
     return;
   }
-  const auto& representative = std::get<wire::Representative>(sample);
-  for (Agent* peer : hub_.agents_) {
-    if (peer != this) hub_.deliver(id, peer->id, *peer, representative);
+  const auto share = [this](const auto& shared) {
+    for (Agent* peer : hub_.agents_) {
+      if (peer != this) hub_.deliver(id, peer->id, *peer, shared);
+    }
+    hub_.deliver(id, kWorldId, *hub_.world_, shared);
+  };
+  if (const auto* representative = std::get_if<wire::Representative>(&sample)) {
+    share(*representative);
+  } else {
+    share(std::get<wire::ObstacleMap>(sample));
   }
-  hub_.deliver(id, kWorldId, *hub_.world_, representative);
 }
 
 void MemoryBus::Hub::World::publish(const WorldOutbound& sample) {

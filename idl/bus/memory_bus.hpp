@@ -1,10 +1,10 @@
 // The bus within one process: the same wire structs, the same port interfaces, no thread and no clock.
 //
 // A sample is in its receivers' inboxes when publish() returns, in the order of publication; a receiver sees it at its
-// next take(). As over DDS: the mission is latched for late joiners, sense reaches its agent alone, a representative
-// that the world publishes reaches all agents, nobody hears itself, and what a detached port had not taken is lost.
-// Inboxes are bounded; when one is full its oldest sample goes and is counted.
-// One thread at a time may use a bus and its ports. Complexity: publish O(receivers), take O(samples).
+// next take(). As over DDS: the mission is latched for late joiners, sense reaches its agent alone, a representative or
+// obstacle map that the world publishes reaches all agents, nobody hears itself, and what a detached port had not taken
+// is lost. Inboxes are bounded; when one is full its oldest sample goes and is counted. One thread at a time may use a
+// bus and its ports. Complexity: publish O(receivers), take O(samples).
 #pragma once
 
 #include <cstdint>

@@ -13,10 +13,10 @@
 
 namespace skein::bus {
 
-using AgentInbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative>;
-using AgentOutbound = std::variant<wire::Representative, wire::Beacon>;
-using WorldInbound = std::variant<wire::Beacon, wire::Representative>;
-using WorldOutbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative>;
+using AgentInbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative, wire::ObstacleMap>;
+using AgentOutbound = std::variant<wire::Representative, wire::ObstacleMap, wire::Beacon>;
+using WorldInbound = std::variant<wire::Beacon, wire::Representative, wire::ObstacleMap>;
+using WorldOutbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative, wire::ObstacleMap>;
 
 /// For AgentPort::wake_after: no sample before the next tick.
 inline constexpr std::size_t kOnTick = SIZE_MAX;
@@ -27,7 +27,7 @@ class AgentPort {
   virtual void publish(const AgentOutbound& sample) = 0;
   /// Moves everything that has arrived to the end of `into`; returns at once.
   virtual void take(std::vector<AgentInbound>& into) = 0;
-  /// A hint to carriers that wake their owner: how many sense samples and representatives it lacks, those included that
+  /// A hint to carriers that wake their owner: how many samples of sense and peers it lacks, those included that
   /// arrived since the last take(); fewer need not wake it. Ticks, missions and matches always do; 0: any sample does.
   virtual void wake_after(std::size_t /*samples*/) {}
   /// Nonces, ascending, of the processes (world and agents) whose endpoints are all matched with this port's.
@@ -41,7 +41,7 @@ class WorldPort {
   /// Moves everything that has arrived to the end of `into`; returns at once.
   virtual void take(std::vector<WorldInbound>& into) = 0;
   /// A hint to carriers that wake their owner: how many beacons it lacks, those included that arrived since the last
-  /// take(); fewer, and representatives, need not wake it. Matches always do; 0: any sample does.
+  /// take(); fewer, and what agents share, need not wake it. Matches always do; 0: any sample does.
   virtual void wake_after(std::size_t /*beacons*/) {}
   /// Nonces, ascending, of the agents whose endpoints are all matched with this port's.
   [[nodiscard]] virtual std::vector<std::uint64_t> matched() const = 0;

@@ -17,7 +17,7 @@ enum class Role : std::uint8_t { Observer = 0, World = 1, Agent = 2 };
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(role));
 }
 
-enum class TopicId : std::uint8_t { Mission = 0, Tick = 1, Sense = 2, Beacon = 3, Representative = 4 };
+enum class TopicId : std::uint8_t { Mission = 0, Tick = 1, Sense = 2, Beacon = 3, Representative = 4, ObstacleMap = 5 };
 
 struct TopicSpec {
   TopicId id;
@@ -33,7 +33,7 @@ struct TopicSpec {
 };
 
 inline constexpr double kHeartbeat_s = 0.05;
-/// Of the one topic that all agents write to all: N^2 heartbeats a period, which at 25 agents and 50 ms are as many as
+/// Of the topics that all agents write to all: N^2 heartbeats a period, which at 25 agents and 50 ms are as many as
 /// the samples. A lost one is repaired later for it.
 inline constexpr double kSlowHeartbeat_s = 0.2;
 
@@ -41,7 +41,7 @@ inline constexpr std::uint8_t kWorldRole = role_bit(Role::World);
 inline constexpr std::uint8_t kAgentRole = role_bit(Role::Agent);
 inline constexpr std::uint8_t kObserverRole = role_bit(Role::Observer);
 
-inline constexpr std::array<TopicSpec, 5> kTopics{{
+inline constexpr std::array<TopicSpec, 6> kTopics{{
     {TopicId::Mission, "skein/mission", "skein::v3::Mission", false, true, 1, false, kHeartbeat_s, kWorldRole,
      kAgentRole | kObserverRole},
     {TopicId::Tick, "skein/tick", "skein::v3::Tick", false, false, 16, false, kHeartbeat_s, kWorldRole,
@@ -51,6 +51,8 @@ inline constexpr std::array<TopicSpec, 5> kTopics{{
      kWorldRole | kObserverRole},
     {TopicId::Representative, "skein/representative", "skein::v3::Representative", true, false, 16, false,
      kSlowHeartbeat_s, kAgentRole | kWorldRole, kAgentRole | kWorldRole},
+    {TopicId::ObstacleMap, "skein/obstacle_map", "skein::v3::ObstacleMap", true, false, 16, false, kSlowHeartbeat_s,
+     kAgentRole | kWorldRole, kAgentRole | kWorldRole},
 }};
 
 [[nodiscard]] constexpr const TopicSpec& topic(TopicId id) {

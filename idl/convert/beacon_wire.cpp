@@ -27,7 +27,10 @@ void check_lists(Checker& check, const wire::Beacon& sample) {
   check.size_at_most(sample.needs().size(), wire::kMaxNeeds, "beacon.needs");
   if (!check.ok()) return;
   check.require(ascends(sample.matched()), WireFaultReason::BadOrder, "beacon.matched");
-  for (const wire::Lack& lack : sample.needs()) check.agent(lack.agent(), "beacon.needs.agent");
+  for (const wire::Lack& lack : sample.needs()) {
+    check.agent(lack.agent(), "beacon.needs.agent");
+    check.enumerator(lack.topic(), NeedTopic::Answer, NeedTopic::ObstacleMap, "beacon.needs.topic");
+  }
 }
 
 void check_state(Checker& check, const wire::Beacon& sample) {
@@ -53,11 +56,13 @@ wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp) {
   out.round(beacon.round);
   out.closes_round(beacon.closes_round);
   out.sent_representative(beacon.representative);
+  out.sent_obstacle_map(beacon.obstacle_map);
   out.matched(beacon.matched);
   out.needs().resize(beacon.needs.size());
   for (std::size_t i = 0; i < beacon.needs.size(); ++i) {
     out.needs()[i].agent(beacon.needs[i].agent);
     out.needs()[i].round(beacon.needs[i].round);
+    out.needs()[i].topic(static_cast<std::uint8_t>(beacon.needs[i].topic));
   }
   out.mode(static_cast<std::uint8_t>(beacon.mode));
   out.failing(static_cast<std::uint8_t>(beacon.constraint));
@@ -87,8 +92,11 @@ Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context
   out.round = sample.round();
   out.closes_round = sample.closes_round();
   out.representative = sample.sent_representative();
+  out.obstacle_map = sample.sent_obstacle_map();
   out.matched = sample.matched();
-  for (const wire::Lack& lack : sample.needs()) out.needs.push_back({lack.agent(), lack.round()});
+  for (const wire::Lack& lack : sample.needs()) {
+    out.needs.push_back({lack.agent(), lack.round(), static_cast<NeedTopic>(lack.topic())});
+  }
   out.mode = static_cast<AgentMode>(sample.mode());
   out.constraint = static_cast<Constraint>(sample.failing());
   out.constraint_peer = sample.failing_peer();

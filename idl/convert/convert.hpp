@@ -12,6 +12,7 @@
 
 #include "idl/convert/wire_fault.hpp"
 #include "idl/wire.hpp"
+#include "planner/core/lockstep/map_sample.hpp"
 #include "planner/core/lockstep/samples.hpp"
 #include "planner/core/mission/mission.hpp"
 
@@ -29,14 +30,16 @@ struct WireContext {
   std::span<const AgentId> known;    ///< ascending; empty: any id from 1 to kMaxAgents
   /// Live agents by ascending id: a sample of an agent must agree in incarnation (a beacon in its nonce as well).
   std::optional<std::span<const RosterEntry>> roster;
-  std::size_t particle_size = 0;  ///< length that a representative's particle must have; 0: any
+  std::size_t particle_size = 0;   ///< length that a representative's particle must have; 0: any
+  std::optional<CellGrid> grid{};  ///< that the cells and tiles of an obstacle map must be in, if given
 };
 
-/// @throws std::invalid_argument if a list or text is longer than its bound on the wire (all five).
+/// @throws std::invalid_argument if a list or text is longer than its bound on the wire (all six).
 [[nodiscard]] wire::Mission to_wire(const Mission& mission, const Stamp& stamp);
 [[nodiscard]] wire::Tick to_wire(const Tick& tick, const Stamp& stamp);
 [[nodiscard]] wire::Sense to_wire(const Sense& sense, const Stamp& stamp);
 [[nodiscard]] wire::Representative to_wire(const Representative& representative, const Stamp& stamp);
+[[nodiscard]] wire::ObstacleMap to_wire(const ObstacleMapSample& map, const Stamp& stamp);
 [[nodiscard]] wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp);
 
 /// The mission's run is `sample.head().run()`; `known` and `roster` are not used, for the mission itself says who is.
@@ -45,6 +48,7 @@ struct WireContext {
 [[nodiscard]] Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context);
 [[nodiscard]] Checked<Sense> from_wire(const wire::Sense& sample, const WireContext& context);
 [[nodiscard]] Checked<Representative> from_wire(const wire::Representative& sample, const WireContext& context);
+[[nodiscard]] Checked<ObstacleMapSample> from_wire(const wire::ObstacleMap& sample, const WireContext& context);
 /// An introduction (incarnation 0) passes the roster check.
 [[nodiscard]] Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context);
 

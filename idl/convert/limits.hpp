@@ -1,6 +1,8 @@
 // The magnitudes that the wire lets through: far over what flies, far under what overflows.
 #pragma once
 
+#include <cstdint>
+
 namespace skein::limits {
 
 inline constexpr double kPosition_m = 1e7;
@@ -16,6 +18,8 @@ inline constexpr double kTime_s = 1e9;
 inline constexpr double kStep_s = 3600.0;
 inline constexpr double kParticle = 1e10;
 inline constexpr double kCost = 1e300;
+inline constexpr std::int32_t kCell = 1 << 20;     ///< cells from the lower corner of the area
+inline constexpr std::uint32_t kCells = 1U << 28;  ///< of a grid
 inline constexpr double kUnitMin_m = 1e-6;
 inline constexpr double kUnitMax_m = 1e6;
 

@@ -4,6 +4,7 @@
 #include "idl/convert/checker.hpp"
 #include "idl/convert/limits.hpp"
 #include "idl/convert/parts.hpp"
+#include "idl/convert/transit_wire.hpp"
 
 namespace skein {
 namespace {
@@ -134,7 +135,7 @@ void check_scalars(Checker& check, const wire::Mission& sample) {
   check.sender(sample.head(), kWorldId, "mission.head.sender");
   check.run(sample.head().run(), "mission.head.run");
   check.text(sample.name().c_str(), "mission.name");
-  check.enumerator(sample.kind(), MissionKind::Rendezvous, MissionKind::Rendezvous, "mission.kind");
+  check.enumerator(sample.kind(), MissionKind::Rendezvous, MissionKind::Transit, "mission.kind");
   check.within(sample.length_unit_m(), limits::kUnitMin_m, limits::kUnitMax_m, "mission.length_unit_m");
   check.within(sample.step_s(), 0.0, limits::kStep_s, "mission.step_s");
   check.require(sample.step_s() > 0.0, WireFaultReason::OutOfRange, "mission.step_s");
@@ -170,6 +171,7 @@ wire::Mission to_wire(const Mission& mission, const Stamp& stamp) {
   for (const Zone& zone : mission.zones) out.zones().push_back(wire_area(zone));
   if (mission.terrain) out.terrain().push_back(wire_terrain(*mission.terrain));
   out.planner(wire_options(mission.planner));
+  if (mission.transit) out.transit().push_back(wire_transit(*mission.transit));
   return out;
 }
 
@@ -185,11 +187,13 @@ Checked<Mission> from_wire(const wire::Mission& sample, const WireContext& conte
     before = vehicle.agent();
   }
   for (const wire::Area& area : sample.zones()) check_area(check, area);
+  check_transit(check, sample);
 
   Mission out;
   out.planner = plain_options(sample.planner());
   check_options(check, out.planner);
   if (!check.ok()) return check.fault();
+  for (const wire::Crossing& transit : sample.transit()) out.transit = plain_transit(transit);
   out.name = sample.name().to_string();
   out.kind = static_cast<MissionKind>(sample.kind());
   out.seed = sample.seed();

@@ -35,6 +35,7 @@ wire::Tick to_wire(const Tick& tick, const Stamp& stamp) {
     live.nonce(entry.nonce);
     live.counts_representative(entry.representative);
     live.gets_sense(entry.sense);
+    live.counts_obstacle_map(entry.obstacle_map);
   }
   out.refused().resize(tick.refused.size());
   for (std::size_t i = 0; i < tick.refused.size(); ++i) {
@@ -74,8 +75,8 @@ Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context) {
   out.time_s = sample.time_s();
   out.roster.reserve(sample.roster().size());
   for (const wire::LiveAgent& live : sample.roster()) {
-    out.roster.push_back(
-        {live.agent(), live.incarnation(), live.nonce(), live.counts_representative(), live.gets_sense()});
+    out.roster.push_back({live.agent(), live.incarnation(), live.nonce(), live.counts_representative(),
+                          live.gets_sense(), live.counts_obstacle_map()});
   }
   for (const wire::TurnedAway& refusal : sample.refused()) {
     out.refused.push_back({refusal.nonce(), static_cast<RefusalReason>(refusal.reason())});

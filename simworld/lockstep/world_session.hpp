@@ -105,6 +105,7 @@ class WorldSession {
   void take(double now_s);
   void on_sample(const wire::Beacon& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);
+  void on_sample(const wire::ObstacleMap& /*sample*/, double /*now_s*/) {}
   void repeat(const std::vector<Representative>& samples, double now_s);
   void poll_waiting(double now_s);
   void poll_running(double now_s);

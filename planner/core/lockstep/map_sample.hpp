@@ -34,19 +34,23 @@ struct Intent {
   bool operator==(const Intent&) const = default;
 };
 
-/// 8 x 8 cells of one level. 2 bits a cell, cell n of the tile (row by row) in bits 2n of the words.
+/// 8 x 8 cells of one level, as one agent contributed them to the swarm's map. 2 bits a cell, cell n of the tile (row
+/// by row) in bits 2n of the words.
 struct MapTile {
+  AgentId origin = 0;  ///< whose contribution it is, whoever sends it
   std::uint32_t tile = 0;
   std::uint32_t epoch = 0;
+  std::uint32_t version = 0;  ///< of the tile in its origin's log
   std::array<std::uint64_t, 2> cells{};
-  std::uint32_t version = 0;  ///< of the tile in its sender's log
 
   bool operator==(const MapTile&) const = default;
 };
 
+/// How far the sender holds an agent's log: every tile whose newest version is at most `version`.
 struct Seen {
   AgentId agent = 0;
   std::uint32_t version = 0;
+  std::uint64_t digest = 0;  ///< of (tile, version) of all that the sender holds of that log up to `version`
 
   bool operator==(const Seen&) const = default;
 };
@@ -57,11 +61,21 @@ struct ObstacleMapSample {
   std::uint32_t incarnation = 0;
   std::uint32_t round = 0;
   Intent intent;
-  std::uint32_t version = 0;  ///< of the sender's own log
-  std::vector<Seen> seen;     ///< version vector: of each peer's log, up to where the sender holds it
+  std::vector<Seen> seen;  ///< version vector by ascending agent, or a part of it
   std::vector<MapTile> tiles;
 
   bool operator==(const ObstacleMapSample&) const = default;
 };
+
+// What a sample may hold at most: within one datagram.
+inline constexpr std::size_t kMaxSeen = kMaxAgents;
+inline constexpr std::size_t kMaxMapTiles = 1024;
+
+/// CDR bytes of a sample without serialising it (tests hold it to the wire); without tiles and vector its control part.
+inline constexpr std::size_t kSeenBytes = 16;
+inline constexpr std::size_t kMapTileBytes = 32;
+[[nodiscard]] constexpr std::size_t payload_bytes(std::size_t n_tiles, std::size_t n_seen) {
+  return 132 + kSeenBytes * n_seen + (n_tiles > 0 ? 4 + kMapTileBytes * n_tiles : 0);
+}
 
 }  // namespace skein

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/core/cells/cell_window.hpp"
 #include "planner/core/geometry/types.hpp"
 #include "planner/core/mission/mission.hpp"
 
@@ -54,6 +55,7 @@ struct RosterEntry {
   std::uint64_t nonce = 0;
   bool representative = false;  ///< its representative of the round before counts
   bool sense = false;           ///< the world sends it a sense sample with this tick
+  bool obstacle_map = false;    ///< its obstacle map sample of the round before counts
 
   bool operator==(const RosterEntry&) const = default;
 };
@@ -87,6 +89,16 @@ struct Tick {
   bool operator==(const Tick&) const = default;
 };
 
+/// A peer within radio range.
+struct HeardPeer {
+  AgentId agent = 0;
+  Vec3 position_m = Vec3::Zero();
+  Vec3 velocity_mps = Vec3::Zero();
+  bool landed = false;  ///< it is no obstacle any more
+
+  bool operator==(const HeardPeer&) const = default;
+};
+
 /// What one agent's own sensors tell it.
 struct Sense {
   std::uint64_t run = 0;
@@ -95,6 +107,8 @@ struct Sense {
   std::uint32_t round = 0;
   Pose pose;
   Vec3 velocity_mps = Vec3::Zero();
+  std::vector<HeardPeer> heard;  ///< by ascending id
+  CellWindow sight;              ///< the cells that its sensor saw as Free or Occupied
 
   bool operator==(const Sense&) const = default;
 };
@@ -122,10 +136,13 @@ struct Representative {
   bool operator==(const Representative&) const = default;
 };
 
+enum class NeedTopic : std::uint8_t { Answer = 0, ObstacleMap = 1 };
+
 /// A sample that an agent still lacks for the open tick.
 struct Need {
   AgentId agent = 0;
   std::uint32_t round = 0;
+  NeedTopic topic = NeedTopic::Answer;  ///< Answer: a representative, or the agent's own sense sample
 
   bool operator==(const Need&) const = default;
 };
@@ -139,6 +156,7 @@ struct Beacon {
   std::uint32_t round = 0;      ///< the last one that it answered; in an introduction the newest tick that it heard
   bool closes_round = false;    ///< false: an open beacon, an introduction or a list of needs
   bool representative = false;  ///< a representative of this round goes with it
+  bool obstacle_map = false;    ///< an obstacle map sample of this round goes with it
   std::vector<std::uint64_t> matched;  ///< nonces of the processes whose endpoints are matched with its own
   std::vector<Need> needs;
   AgentMode mode = AgentMode::Waiting;

@@ -21,6 +21,7 @@ enum class Purpose : std::uint32_t {
   JoinedMove = 5,   ///< a move of such a particle; index: generation * particles + particle
   JoinedAlone = 6,  ///< joined paths tried if the best particle fails the proof; index: the try
   JoinedRay = 7,    ///< directions in which joined paths of a length are looked for; index: the direction
+  RadioLoss = 20,   ///< whether a receiver misses a sample; agent: the sender, index: receiver, step and round
   Test = 1000,      ///< draws of tests
 };
 

@@ -44,6 +44,7 @@ class Peer {
     answer(0);
   }
   void handle(const wire::Representative&) {}
+  void handle(const wire::ObstacleMap&) {}
   void handle(const wire::Tick& tick) {
     if (tick.round() != last_round_ + 1) ++disorder_;
     last_round_ = tick.round();

@@ -81,6 +81,9 @@ TEST(DdsAgentGroup, HandsEverySampleToThoseWhoseItIs) {
   world.publish(testing::tick(1));
   one.publish(testing::representative(1));
   group.port(0).publish(testing::representative(2));
+  one.publish(testing::obstacle_map(1));
+  group.port(1).publish(testing::obstacle_map(4));
+  world.publish(testing::obstacle_map(9));  // what the world repeats
   group.port(0).publish(testing::beacon(2, 1));
   group.port(1).publish(testing::beacon(4, 1));
   EXPECT_EQ(four.all<wire::Representative>().size(), 1U) << "without the network";
@@ -91,6 +94,8 @@ TEST(DdsAgentGroup, HandsEverySampleToThoseWhoseItIs) {
            two.all<wire::Sense>().size() == 1 && four.all<wire::Sense>().size() == 1 &&
            two.all<wire::Representative>().size() == 1 && four.all<wire::Representative>().size() == 2 &&
            at_one.all<wire::Representative>().size() == 1 && at_world.all<wire::Representative>().size() == 2 &&
+           two.all<wire::ObstacleMap>().size() == 3 && four.all<wire::ObstacleMap>().size() == 2 &&
+           at_one.all<wire::ObstacleMap>().size() == 2 && at_world.all<wire::ObstacleMap>().size() == 2 &&
            at_world.all<wire::Beacon>().size() == 2;
   }));
   EXPECT_EQ(two.all<wire::Sense>()[0].agent(), 2U);

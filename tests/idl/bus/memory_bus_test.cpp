@@ -67,6 +67,22 @@ TEST(MemoryBus, MatchedNamesTheOthersByAscendingNonce) {
   EXPECT_THAT(one->matched(), ElementsAre(100));
 }
 
+TEST(MemoryBus, ObstacleMapsGoToAllOthers) {
+  MemoryBus bus(kWorldNonce);
+  const auto one = bus.attach(1, 1);
+  const auto two = bus.attach(2, 2);
+  const wire::ObstacleMap map = to_wire(examples::obstacle_map(), examples::kStamp);
+  one->publish(map);
+  EXPECT_THAT(rounds(*one), IsEmpty());
+  EXPECT_THAT(rounds(bus.world()), ElementsAre(6));
+  const auto got = taken(*two);
+  ASSERT_EQ(got.size(), 1u);
+  EXPECT_EQ(from_wire(std::get<wire::ObstacleMap>(got[0]), {}).value(), examples::obstacle_map());
+  bus.world().publish(map);
+  EXPECT_THAT(rounds(*one), ElementsAre(6));
+  EXPECT_THAT(rounds(*two), ElementsAre(6));
+}
+
 TEST(MemoryBus, TheMissionReachesALateJoinerOnce) {
   MemoryBus bus(kWorldNonce);
   const auto early = bus.attach(1, 1);

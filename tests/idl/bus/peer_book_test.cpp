@@ -142,16 +142,16 @@ TEST(PeerBook, OnlyTheLaterWorldIsInConflictAndTheHigherNonceIfAtTheSameTime) {
 TEST(PeerBook, AWorldOfAnotherSwarmOrAnAgentOfAnotherVersionIsNoConflict) {
   PeerBook book(info(Role::Agent, 5));
   PeerInfo stranger = info(Role::World, 9);
-  stranger.wire_version = 2;
+  stranger.wire_version = 7;
   stranger.swarm = "ducks";
   book.discovered(kFirst, stranger);
   PeerInfo newer = info(Role::Agent, 8);
-  newer.wire_version = 2;
+  newer.wire_version = 7;
   book.discovered(kSecond, newer);
   EXPECT_EQ(book.conflict(), std::nullopt);
   stranger.swarm = "geese";
   book.discovered(kFirst, stranger);
-  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("wire version 2"));
+  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("wire version 7"));
 }
 
 }  // namespace

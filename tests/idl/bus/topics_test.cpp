@@ -21,19 +21,21 @@ TEST(Topics, OnlyTheMissionIsLatched) {
   for (const TopicSpec& spec : kTopics) EXPECT_EQ(spec.latched, spec.id == TopicId::Mission);
 }
 
-TEST(Topics, TwoAgentsShareTheRepresentativeBothWays) {
+TEST(Topics, TwoAgentsShareRepresentativeAndObstacleMapBothWays) {
   EXPECT_EQ(expected_matches(Role::Agent, Role::Agent),
-            endpoint_bit(TopicId::Representative, true) | endpoint_bit(TopicId::Representative, false));
+            endpoint_bit(TopicId::Representative, true) | endpoint_bit(TopicId::Representative, false) |
+                endpoint_bit(TopicId::ObstacleMap, true) | endpoint_bit(TopicId::ObstacleMap, false));
 }
 
-TEST(Topics, AgentAndWorldShareSixEndpointsSeenFromEitherSide) {
+TEST(Topics, AgentAndWorldShareEightEndpointsSeenFromEitherSide) {
   const auto agent = expected_matches(Role::Agent, Role::World);
   const auto world = expected_matches(Role::World, Role::Agent);
-  EXPECT_EQ(std::popcount(agent), 6);
-  EXPECT_EQ(std::popcount(world), 6);
+  EXPECT_EQ(std::popcount(agent), 8);
+  EXPECT_EQ(std::popcount(world), 8);
   EXPECT_EQ(agent, endpoint_bit(TopicId::Mission, false) | endpoint_bit(TopicId::Tick, false) |
                        endpoint_bit(TopicId::Sense, false) | endpoint_bit(TopicId::Beacon, true) |
-                       endpoint_bit(TopicId::Representative, true) | endpoint_bit(TopicId::Representative, false));
+                       endpoint_bit(TopicId::Representative, true) | endpoint_bit(TopicId::Representative, false) |
+                       endpoint_bit(TopicId::ObstacleMap, true) | endpoint_bit(TopicId::ObstacleMap, false));
 }
 
 }  // namespace

@@ -73,6 +73,12 @@ inline wire::Representative representative(AgentId agent) {
   return to_wire(r, examples::kStamp);
 }
 
+inline wire::ObstacleMap obstacle_map(AgentId agent) {
+  ObstacleMapSample m = examples::obstacle_map();
+  m.agent = agent;
+  return to_wire(m, examples::kStamp);
+}
+
 inline wire::Beacon beacon(AgentId agent, std::uint32_t round) {
   Beacon b = examples::beacon();
   b.agent = agent;

@@ -47,6 +47,23 @@ inline Mission mission() {
   return m;
 }
 
+/// The same vehicles, of kind transit.
+inline Mission crossing() {
+  Mission m = mission();
+  m.kind = MissionKind::Transit;
+  m.transit = TransitMission{};
+  m.transit->area = {Vec3(-1.0, -2.0, 0.0), Vec3(250.0, 240.0, 20.0)};
+  m.transit->goals_m = {Vec3(200.0, 100.0, 10.0), Vec3(201.0, 102.0, 12.0)};
+  m.transit->goal_radius_m = 2.5;
+  m.transit->planner.name = "peach3d-paper";
+  m.transit->planner.cell_m = 2.0;
+  m.transit->planner.share_maps = 0.0;
+  m.transit->radio.range_m = 90.0;
+  m.transit->radio.latency_rounds = 2.0;
+  m.transit->sensor.false_alarm = 0.125;
+  return m;
+}
+
 inline Tick tick() {
   Tick t;
   t.run = 77;
@@ -54,7 +71,7 @@ inline Tick tick() {
   t.round = 6;
   t.phase = Phase::Flying;
   t.time_s = 2.5;
-  t.roster = {{1, 1, 0x1111, true, false}, {3, 2, 0x3333, false, true}};
+  t.roster = {{1, 1, 0x1111, true, false, true}, {3, 2, 0x3333, false, true, false}};
   t.refused = {{0x4444, RefusalReason::UnknownId}};
   t.world_hash = 0xfedcba9876543210;
   return t;
@@ -68,11 +85,28 @@ inline Tick last_tick() {
 }
 
 inline Sense sense() {
-  return {77, 3, 2, 6, {Vec3(1.5, -2.5, 3.5), 0.75, -0.25}, Vec3(4.0, -5.0, 6.0)};
+  Sense s{77, 3, 2, 6, {Vec3(1.5, -2.5, 3.5), 0.75, -0.25}, Vec3(4.0, -5.0, 6.0), {}, {}};
+  s.heard = {{1, Vec3(7.0, -8.0, 9.0), Vec3(-1.5, 0.5, 0.25), true}};
+  s.sight = CellWindow::of({-1, 2, 3}, 3, 2, 1);
+  s.sight.set(0, CellState::Free);
+  s.sight.set(4, CellState::Occupied);
+  return s;
 }
 
 inline Representative representative() {
   return {77, 3, 2, 6, PlanStage::Aligning, Constraint::NoFly, {1234.5, -0.0}, 17.25, 35000.0, 35100.0};
+}
+
+inline ObstacleMapSample obstacle_map() {
+  ObstacleMapSample m;
+  m.run = 77;
+  m.agent = 3;
+  m.incarnation = 2;
+  m.round = 6;
+  m.intent = {12, Vec3(1.0, 2.0, 3.0), Vec3(4.0, 5.0, 6.0), 7, 88.5, NavStatus::Unreachable, 1, 3, {9, 10, 11, 11}};
+  m.seen = {{1, 13, 0x1122334455667788}, {3, 14, 0x99aabbccddeeff00}};
+  m.tiles = {{3, 5, 1, 14, {0x0123456789abcdef, 0xfedcba9876543210}}, {1, 0, 0, 13, {1, 2}}};
+  return m;
 }
 
 inline Beacon beacon() {
@@ -85,8 +119,9 @@ inline Beacon beacon() {
   b.round = 6;
   b.closes_round = true;
   b.representative = true;
+  b.obstacle_map = true;
   b.matched = {0x10, 0x1111};
-  b.needs = {{1, 6}};
+  b.needs = {{1, 6}, {1, 5, NeedTopic::ObstacleMap}};
   b.mode = AgentMode::Failed;
   b.constraint = Constraint::Separation;
   b.constraint_peer = 1;

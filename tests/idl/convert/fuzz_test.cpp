@@ -83,6 +83,12 @@ void fuzz(const Plain& example) {
 TEST(Fuzz, Mission) {
   fuzz(examples::mission());
 }
+TEST(Fuzz, MissionOfATransit) {
+  fuzz(examples::crossing());
+}
+TEST(Fuzz, ObstacleMap) {
+  fuzz(examples::obstacle_map());
+}
 TEST(Fuzz, Tick) {
   fuzz(examples::tick());
 }

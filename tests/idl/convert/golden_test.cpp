@@ -35,6 +35,12 @@ std::string bytes_of(const Plain& value) {
 TEST(Golden, Mission) {
   EXPECT_EQ(bytes_of(examples::mission()), golden("mission"));
 }
+TEST(Golden, MissionOfATransit) {
+  EXPECT_EQ(bytes_of(examples::crossing()), golden("crossing"));
+}
+TEST(Golden, ObstacleMap) {
+  EXPECT_EQ(bytes_of(examples::obstacle_map()), golden("obstacle_map"));
+}
 TEST(Golden, Tick) {
   EXPECT_EQ(bytes_of(examples::tick()), golden("tick"));
 }
@@ -57,7 +63,8 @@ TEST(Golden, SenseByHand) {
                                "cb04fb711f010000"
                                "00000000"
                                "02000000"));
-  EXPECT_EQ(testing::encode(to_wire(examples::sense(), examples::kStamp)).size(), 4u + 24 + 8 + 8 * 8);
+  EXPECT_EQ(testing::encode(to_wire(examples::sense(), examples::kStamp)).size(),
+            4u + 24 + 8 + 8 * 8 + (4 + 4 + 6 * 8 + 1) + 3 + 7 * 4 + 2);
 }
 
 }  // namespace

@@ -16,7 +16,11 @@ const std::vector<RosterEntry> kRoster{{1, 1, 0x1111, true, true}, {3, 2, 0x3333
 const std::vector<AgentId> kKnown{1, 3};
 
 WireContext strict() {
-  return {.run = 77, .known = kKnown, .roster = std::span<const RosterEntry>(kRoster), .particle_size = 2};
+  return {.run = 77,
+          .known = kKnown,
+          .roster = std::span<const RosterEntry>(kRoster),
+          .particle_size = 2,
+          .grid = CellGrid{Vec3::Zero(), 2.0, 4.0, 20, 12, 1}};
 }
 
 template <typename Wire>
@@ -123,6 +127,68 @@ TEST(Refusal, Sense) {
                      {"sense.velocity_mps", NonFinite, [](W& s) { s.velocity_mps().y(kInfinity); }}});
 }
 
+TEST(Refusal, WhatASensorSaw) {
+  using W = wire::Sense;
+  expect_refused<W>(to_wire(examples::sense(), examples::kStamp),
+                    {{"sense.heard", OutOfRange, [](W& s) { s.heard().resize(257); }},
+                     {"sense.heard.agent", UnknownAgent, [](W& s) { s.heard()[0].agent(2); }},
+                     {"sense.heard.agent", UnknownAgent, [](W& s) { s.heard()[0].agent(3); }},
+                     {"sense.heard", BadOrder, [](W& s) { s.heard().push_back(s.heard()[0]); }},
+                     {"sense.heard.position_m", NonFinite, [](W& s) { s.heard()[0].position_m().x(kNan); }},
+                     {"sense.heard.velocity_mps", OutOfRange, [](W& s) { s.heard()[0].velocity_mps().z(1e5); }},
+                     {"sense.sight.low", OutOfRange, [](W& s) { s.sight().j(1 << 21); }},
+                     {"sense.sight.size", OutOfRange, [](W& s) { s.sight().ni(-1); }},
+                     {"sense.sight.size", OutOfRange, [](W& s) { s.sight().nk(1 << 20); }},
+                     {"sense.sight.packed", OutOfRange, [](W& s) { s.sight().nk(2); }},
+                     {"sense.sight.packed", OutOfRange, [](W& s) { s.sight().packed().clear(); }},
+                     {"sense.sight.packed", OutOfRange, [](W& s) { s.sight().packed().resize(49153); }},
+                     {"sense.sight.packed", BadEnum, [](W& s) { s.sight().packed()[0] = 2; }}});
+}
+
+TEST(Refusal, ObstacleMap) {
+  using W = wire::ObstacleMap;
+  expect_refused<W>(to_wire(examples::obstacle_map(), examples::kStamp),
+                    {{"obstacle_map.agent", UnknownAgent, [](W& m) { m.agent(2); }},
+                     {"obstacle_map.head.sender", WrongSender, [](W& m) { m.head().sender(1); }},
+                     {"obstacle_map.head.run", WrongRun, [](W& m) { m.head().run(0); }},
+                     {"obstacle_map.head.incarnation", WrongIncarnation, [](W& m) { m.head().incarnation(1); }},
+                     {"obstacle_map.intent.from_m", NonFinite, [](W& m) { m.intent().from_m().x(kNan); }},
+                     {"obstacle_map.intent.to_m", OutOfRange, [](W& m) { m.intent().to_m().y(1e8); }},
+                     {"obstacle_map.intent.to_go_m", NonFinite, [](W& m) { m.intent().to_go_m(kInfinity); }},
+                     {"obstacle_map.intent.status", BadEnum, [](W& m) { m.intent().status(0); }},
+                     {"obstacle_map.intent.asks", UnknownAgent, [](W& m) { m.intent().asks(2); }},
+                     {"obstacle_map.intent.on_behalf_of", UnknownAgent, [](W& m) { m.intent().on_behalf_of(9); }},
+                     {"obstacle_map.intent.next_cells", OutOfRange, [](W& m) { m.intent().next_cells()[3] = 240; }},
+                     {"obstacle_map.seen", OutOfRange, [](W& m) { m.seen().resize(257); }},
+                     {"obstacle_map.seen.agent", UnknownAgent, [](W& m) { m.seen()[0].agent(0); }},
+                     {"obstacle_map.seen", BadOrder, [](W& m) { m.seen()[1].agent(1); }},
+                     {"obstacle_map.tiles", OutOfRange, [](W& m) { m.tiles().resize(1025); }},
+                     {"obstacle_map.tiles.origin", UnknownAgent, [](W& m) { m.tiles()[0].origin(2); }},
+                     {"obstacle_map.tiles.tile", OutOfRange, [](W& m) { m.tiles()[0].tile(6); }},
+                     {"obstacle_map.tiles.version", OutOfRange, [](W& m) { m.tiles()[1].version(0); }}});
+}
+
+TEST(Refusal, MissionOfATransit) {
+  using W = wire::Mission;
+  expect_refused<W>(
+      to_wire(examples::crossing(), examples::kStamp),
+      {{"mission.kind", BadEnum, [](W& m) { m.kind(3); }},
+       {"mission.transit", BadMission, [](W& m) { m.kind(1); }},
+       {"mission.transit", BadMission, [](W& m) { m.transit().clear(); }},
+       {"mission.transit.area", NonFinite, [](W& m) { m.transit()[0].area_min_m().x(kNan); }},
+       {"mission.transit.area", BadMission, [](W& m) { m.transit()[0].area_max_m().z(-0.5); }},
+       {"mission.transit.goal_radius_m", OutOfRange, [](W& m) { m.transit()[0].goal_radius_m(-1.0); }},
+       {"mission.transit.goals_m", BadMission, [](W& m) { m.transit()[0].goals_m().resize(1); }},
+       {"mission.transit.goals_m", NonFinite, [](W& m) { m.transit()[0].goals_m()[1].z(kNan); }},
+       {"mission.transit.planner", BadOptions, [](W& m) { m.transit()[0].planner_name("nonesuch"); }},
+       {"mission.transit.planner", OutOfRange, [](W& m) { m.transit()[0].planner_values().pop_back(); }},
+       {"mission.transit.planner", BadOptions, [](W& m) { m.transit()[0].planner_values()[0] = -1.0; }},
+       {"mission.transit.radio", NonFinite, [](W& m) { m.transit()[0].radio_values()[0] = kNan; }},
+       {"mission.transit.radio", BadOptions, [](W& m) { m.transit()[0].radio_values()[3] = 1.5; }},
+       {"mission.transit.sensor", OutOfRange, [](W& m) { m.transit()[0].sensor_values().push_back(1.0); }},
+       {"mission.transit.sensor", BadOptions, [](W& m) { m.transit()[0].sensor_values()[4] = 1.0; }}});
+}
+
 TEST(Refusal, Representative) {
   using W = wire::Representative;
   expect_refused<W>(to_wire(examples::representative(), examples::kStamp),
@@ -155,6 +221,7 @@ TEST(Refusal, Beacon) {
                      {"beacon.needs", OutOfRange, [](W& b) { b.needs().resize(513); }},
                      {"beacon.matched", BadOrder, [](W& b) { b.matched()[1] = b.matched()[0]; }},
                      {"beacon.needs.agent", UnknownAgent, [](W& b) { b.needs()[0].agent(0); }},
+                     {"beacon.needs.topic", BadEnum, [](W& b) { b.needs()[1].topic(2); }},
                      {"beacon.mode", BadEnum, [](W& b) { b.mode(8); }},
                      {"beacon.failing", BadEnum, [](W& b) { b.failing(255); }},
                      {"beacon.failing_peer", UnknownAgent, [](W& b) { b.failing_peer(2); }},

@@ -20,6 +20,12 @@ Checked<Plain> there_and_back(const Plain& value, const WireContext& context = {
 TEST(RoundTrip, Mission) {
   EXPECT_EQ(there_and_back(examples::mission()).value(), examples::mission());
 }
+TEST(RoundTrip, MissionOfATransit) {
+  EXPECT_EQ(there_and_back(examples::crossing()).value(), examples::crossing());
+}
+TEST(RoundTrip, ObstacleMap) {
+  EXPECT_EQ(there_and_back(examples::obstacle_map()).value(), examples::obstacle_map());
+}
 TEST(RoundTrip, Tick) {
   EXPECT_EQ(there_and_back(examples::tick()).value(), examples::tick());
   EXPECT_EQ(there_and_back(examples::last_tick()).value(), examples::last_tick());
@@ -55,6 +61,38 @@ TEST(RoundTrip, EveryPlannerOptionTravels) {
   }
 }
 
+/// Sets one value after another to an end of its range.
+template <typename Options, std::size_t N>
+void expect_all_travel(Options TransitMission::*part, const std::array<OptionField<Options>, N>& fields) {
+  for (const OptionField<Options>& field : fields) {
+    Mission changed = examples::crossing();
+    double& value = (*changed.transit).*part.*field.member;
+    value = value == field.max ? field.min : field.max;
+    EXPECT_NE(changed, examples::crossing()) << field.key;
+    EXPECT_EQ(there_and_back(changed).value(), changed) << field.key;
+  }
+}
+
+TEST(RoundTrip, EveryOptionOfATransitTravels) {
+  expect_all_travel(&TransitMission::planner, kTransitFields);
+  expect_all_travel(&TransitMission::radio, kRadioFields);
+  expect_all_travel(&TransitMission::sensor, kSensorFields);
+}
+
+TEST(RoundTrip, TheSizeOfAnObstacleMapIsKnownWithoutSerialisingIt) {
+  ObstacleMapSample m = examples::obstacle_map();
+  for (const std::size_t seen : {0, 1, 2, 9, 255}) {
+    for (const std::size_t tiles : {0, 1, 2, 7, 1024}) {
+      m.seen.clear();
+      for (AgentId id = 1; id <= seen; ++id) m.seen.push_back({id, 1, 2});
+      m.tiles.assign(tiles, examples::obstacle_map().tiles[0]);
+      const wire::ObstacleMap sample = to_wire(m, examples::kStamp);
+      EXPECT_EQ(payload_bytes(tiles, seen), wire::ObstacleMap::getCdrSerializedSize(sample)) << seen << " " << tiles;
+      EXPECT_EQ(payload_bytes(tiles, seen) + 4, testing::encode(sample).size()) << seen << " " << tiles;
+    }
+  }
+}
+
 TEST(RoundTrip, TheLargestOfEverything) {
   Mission m = examples::mission();
   m.name = std::string(wire::kMaxName, 'n');
@@ -77,6 +115,22 @@ TEST(RoundTrip, TheLargestOfEverything) {
   for (std::uint64_t nonce = 0; nonce < wire::kMaxMatched; ++nonce) b.matched.push_back(nonce);
   b.needs.assign(wire::kMaxNeeds, {1, 1});
   EXPECT_EQ(there_and_back(b).value(), b);
+
+  ObstacleMapSample o = examples::obstacle_map();
+  o.seen.clear();
+  for (AgentId id = 1; id <= kMaxAgents; ++id) o.seen.push_back({id, id, id});
+  o.tiles.assign(kMaxMapTiles, examples::obstacle_map().tiles[0]);
+  EXPECT_EQ(there_and_back(o).value(), o);
+  EXPECT_LT(testing::encode(to_wire(o, examples::kStamp)).size(), 60000u);  // one datagram
+
+  Sense s = examples::sense();
+  s.heard.clear();
+  for (AgentId id = 1; id <= kMaxAgents; ++id) {
+    if (id != s.agent) s.heard.push_back({id, Vec3(1.0, 2.0, 3.0), Vec3::Zero(), false});
+  }
+  s.sight = CellWindow::of({0, 0, 0}, 64, 64, 48);
+  EXPECT_EQ(s.sight.packed.size(), wire::kMaxSight);
+  EXPECT_EQ(there_and_back(s).value(), s);
 
   Representative r = examples::representative();
   r.particle.assign(wire::kMaxParticle, 1.0);
@@ -109,6 +163,12 @@ TEST(RoundTrip, WhatIsOverTheBoundsOfTheWireThrows) {
   Tick roster = examples::tick();
   roster.roster.resize(kMaxAgents + 1);
   EXPECT_THROW((void)to_wire(roster, examples::kStamp), std::invalid_argument);
+  ObstacleMapSample tiles = examples::obstacle_map();
+  tiles.tiles.resize(kMaxMapTiles + 1);
+  EXPECT_THROW((void)to_wire(tiles, examples::kStamp), std::invalid_argument);
+  Sense sight = examples::sense();
+  sight.sight = CellWindow::of({0, 0, 0}, 64, 64, 49);
+  EXPECT_THROW((void)to_wire(sight, examples::kStamp), std::invalid_argument);
   Beacon matched = examples::beacon();
   matched.matched.resize(wire::kMaxMatched + 1);
   EXPECT_THROW((void)to_wire(matched, examples::kStamp), std::invalid_argument);
