@@ -65,89 +65,6 @@ void AgentSession::take(double now_s) {
   }
 }
 
-void AgentSession::on_sample(const wire::Mission& sample, double /*now_s*/) {
-  if (sample.head().run() == run_ && behaviour_ != nullptr) return;
-  // who waits may hear of a world that died, and then of its successor
-  if (state_ != State::Introducing) return faults_.add(WireFaultReason::WrongRun);
-  const Checked<Mission> checked = from_wire(sample, {});
-  if (!checked.ok()) return faults_.add(checked.fault().reason);
-  run_ = sample.head().run();
-  if (tick_ && tick_->run != run_) tick_.reset();  // heard before it was known whose mission this is
-  mission_ = checked.value();
-  ids_ = ids_of(mission_);
-  sense_.reset();
-  heard_.clear();
-  if (!std::ranges::binary_search(ids_, id_)) {
-    state_ = State::TurnedAway;
-    reason_ = fmt::format("the mission has no vehicle {}", id_);
-    return;
-  }
-  behaviour_ = make_behaviour(mission_, id_);
-  last_sent_s_ = -1e9;  // the world waits to hear that the mission is here
-}
-
-void AgentSession::on_sample(const wire::Tick& sample, double now_s) {
-  WireContext context;
-  context.known = ids_;
-  if (run_ != 0) context.run = run_;
-  Checked<Tick> checked = from_wire(sample, context);
-  if (!checked.ok()) return faults_.add(checked.fault().reason);
-  heard_world_s_ = now_s;
-  ever_heard_ = true;
-  const Tick& tick = checked.value();
-  if (tick_ && tick.round < tick_->round) return;
-  repeat_ = tick_ && tick.round == tick_->round && tick.round == done_round_;
-  if (!tick_ || tick.round > tick_->round) tick_heard_s_ = now_s;
-  const auto refused = std::ranges::find(tick.refused, nonce_, &Refusal::nonce);
-  if (state_ == State::Introducing && refused != tick.refused.end()) refused_ = refused->reason;
-  tick_ = std::move(checked).value();
-  if (tick_->round > 0) heard_.erase(heard_.begin(), heard_.lower_bound({tick_->round - 1, 0}));
-}
-
-void AgentSession::on_sample(const wire::Sense& sample, double /*now_s*/) {
-  WireContext context;
-  context.known = ids_;
-  context.run = run_;
-  Checked<Sense> checked = from_wire(sample, context);
-  if (!checked.ok()) return faults_.add(checked.fault().reason);
-  const Sense& sense = checked.value();
-  if (sense.agent != id_) return faults_.add(WireFaultReason::UnknownAgent);
-  if (state_ == State::Live && sense.incarnation != incarnation_) {
-    return faults_.add(WireFaultReason::WrongIncarnation);
-  }
-  if (tick_ && sense.round > open_round() + 1) return faults_.add(WireFaultReason::OutOfRange);
-  if (sense_ && sense.round < sense_->round) return;  // a late copy
-  sense_ = std::move(checked).value();
-}
-
-void AgentSession::on_sample(const wire::Representative& sample, double /*now_s*/) {
-  WireContext context;
-  if (behaviour_ == nullptr) return faults_.add(WireFaultReason::WrongRun);  // no run is known yet
-  context.known = ids_;
-  context.run = run_;
-  Checked<Representative> checked = from_wire(sample, context);
-  if (!checked.ok()) return faults_.add(checked.fault().reason);
-  Representative value = std::move(checked).value();
-  if (value.agent == id_ || value.round < done_round_) return;  // a copy of what was used already
-  if (value.round > open_round() + 1) return faults_.add(WireFaultReason::OutOfRange);
-  if (!may_count(value)) return faults_.add(WireFaultReason::WrongIncarnation);
-  const bool usable = behaviour_->can_use(value);
-  if (!usable) faults_.add(WireFaultReason::OutOfRange);
-  const auto [place, fresh] = heard_.try_emplace({value.round, value.agent}, value);
-  if (fresh) return;
-  // the first one stands, unless a peer's own planner cannot have published it or the roster has overtaken it
-  const bool stands = place->second.incarnation == value.incarnation && behaviour_->can_use(place->second);
-  if (!stands && usable) place->second = std::move(value);
-}
-
-bool AgentSession::may_count(const Representative& sample) const {
-  if (state_ != State::Live) return true;
-  const auto entry = std::ranges::find(tick_->roster, sample.agent, &RosterEntry::agent);
-  const bool ahead = sample.round > open_round();  // of a roster that is not here yet: who came back is newer
-  if (entry == tick_->roster.end()) return ahead;
-  return sample.incarnation == entry->incarnation || (ahead && sample.incarnation > entry->incarnation);
-}
-
 void AgentSession::introduce(double now_s) {
   std::vector<std::uint64_t> matched = port_.matched();
   if (now_s - last_sent_s_ < kIntroduce_s && matched == matched_) return;
@@ -194,10 +111,11 @@ void AgentSession::start_over() {
   incarnation_ = 0;
   behaviour_ = make_behaviour(mission_, id_);
   sense_.reset();
-  heard_.clear();
+  forget_peers();
   done_round_ = 0;
   last_ = {};
   sent_.reset();
+  sent_map_.reset();
   state_hash_ = 0;
   repeat_ = false;
   last_sent_s_ = -1e9;
@@ -211,10 +129,12 @@ std::vector<Need> AgentSession::lacking() const {
       if (entry.sense && !sensed) needs.push_back({id_, tick_->round});
       continue;
     }
-    if (!entry.representative) continue;
-    const auto found = heard_.find({tick_->round - 1, entry.agent});
-    if (found == heard_.end() || found->second.incarnation != entry.incarnation) {
-      needs.push_back({entry.agent, tick_->round - 1});
+    const std::uint32_t before = tick_->round - 1;
+    if (entry.representative && heard_.find(before, entry.agent, entry.incarnation) == nullptr) {
+      needs.push_back({entry.agent, before});
+    }
+    if (entry.obstacle_map && heard_maps_.find(before, entry.agent, entry.incarnation) == nullptr) {
+      needs.push_back({entry.agent, before, NeedTopic::ObstacleMap});
     }
   }
   return needs;
@@ -223,33 +143,54 @@ std::vector<Need> AgentSession::lacking() const {
 void AgentSession::answer(double now_s) {
   const Tick& tick = *tick_;
   std::vector<Representative> peers;
+  std::vector<ObstacleMapSample> maps;
   for (const RosterEntry& entry : tick.roster) {
-    if (entry.agent == id_ || !entry.representative) continue;
-    const Representative& heard = heard_.at({tick.round - 1, entry.agent});
-    if (behaviour_->can_use(heard)) peers.push_back(heard);
+    if (entry.agent == id_) continue;
+    if (entry.representative) {
+      const Representative& heard = *heard_.find(tick.round - 1, entry.agent, entry.incarnation);
+      if (behaviour_->can_use(heard)) peers.push_back(heard);
+    }
+    if (entry.obstacle_map) maps.push_back(*heard_maps_.find(tick.round - 1, entry.agent, entry.incarnation));
   }
   const bool sensed = sense_ && sense_->round == tick.round;
-  last_ = behaviour_->on_round({tick, sensed ? &*sense_ : nullptr, peers});
+  last_ = behaviour_->on_round({tick, sensed ? &*sense_ : nullptr, peers, maps});
   done_round_ = tick.round;
-  heard_.erase(heard_.begin(), heard_.lower_bound({tick.round, 0}));
+  heard_.forget_before(tick.round);
+  heard_maps_.forget_before(tick.round);
   sent_ = std::exchange(last_.representative, std::nullopt);
+  sent_map_ = std::exchange(last_.obstacle_map, std::nullopt);
   StateHash hash;
   behaviour_->add_to(hash);
   if (sent_) {
-    sent_->run = run_;
-    sent_->agent = id_;
-    sent_->incarnation = incarnation_;
-    sent_->round = tick.round;
+    sign(*sent_);
     hash.add(sent_->stage).add(sent_->violated).add(std::span<const double>(sent_->particle)).add(sent_->cost);
     hash.add(sent_->own_length_m).add(sent_->path_length_m);
+  }
+  if (sent_map_) {
+    sign(*sent_map_);
+    add_to(hash, *sent_map_);
   }
   state_hash_ = hash.value();
   publish_answer(now_s);
   if (tick.phase == Phase::Finished) state_ = State::Finished;
 }
 
+template <typename Sample>
+void AgentSession::sign(Sample& sample) const {
+  sample.run = run_;
+  sample.agent = id_;
+  sample.incarnation = incarnation_;
+  sample.round = tick_->round;
+}
+
+void AgentSession::forget_peers() {
+  heard_.clear();
+  heard_maps_.clear();
+}
+
 void AgentSession::publish_answer(double now_s) {
   if (sent_) send(*sent_, now_s);
+  if (sent_map_) send(*sent_map_, now_s);
   Beacon closing = beacon();
   closing.closes_round = true;
   send(closing, now_s);
@@ -264,6 +205,7 @@ Beacon AgentSession::beacon() const {
   beacon.round = state_ == State::Introducing ? open_round() : done_round_;
   beacon.step = step();
   beacon.representative = sent_.has_value();
+  beacon.obstacle_map = sent_map_.has_value();
   if (state_ == State::Introducing) beacon.matched = matched_;
   beacon.mode = last_.mode;
   beacon.constraint = last_.constraint;
@@ -273,6 +215,7 @@ Beacon AgentSession::beacon() const {
   beacon.planned_length_m = last_.planned_length_m;
   beacon.cost = last_.cost;
   beacon.generation = last_.generation;
+  beacon.map_hash = last_.map_hash;
   beacon.state_hash = state_hash_;
   return beacon;
 }

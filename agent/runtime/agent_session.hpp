@@ -9,14 +9,13 @@
 // any steady clock.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "agent/behaviours/behaviour.hpp"
+#include "agent/runtime/peer_samples.hpp"
 #include "idl/bus/port.hpp"
 #include "idl/convert/convert.hpp"
 
@@ -62,17 +61,24 @@ class AgentSession {
   void on_sample(const wire::Tick& sample, double now_s);
   void on_sample(const wire::Sense& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);
-  void on_sample(const wire::ObstacleMap& /*sample*/, double /*now_s*/) {}
+  void on_sample(const wire::ObstacleMap& sample, double now_s);
+  /// A sample that a peer shares with all agents, kept if it may count. @param usable as PeerSamples takes it
+  template <typename Sample, typename Wire, typename Usable>
+  void hear(const Wire& sample, PeerSamples<Sample>& heard, const Usable& usable);
   /// The round that the newest tick opens; peers and world are ahead of it by one at most.
   [[nodiscard]] std::uint32_t open_round() const { return tick_ ? tick_->round : 0; }
   /// Whether the roster, as far as it is known, lets the sample count.
-  [[nodiscard]] bool may_count(const Representative& sample) const;
+  template <typename Sample>
+  [[nodiscard]] bool may_count(const Sample& sample) const;
   void introduce(double now_s);
   void follow_roster();
   void become_live(std::uint32_t incarnation);
   void start_over();
+  void forget_peers();
   [[nodiscard]] std::vector<Need> lacking() const;
   void answer(double now_s);
+  template <typename Sample>
+  void sign(Sample& sample) const;
   void publish_answer(double now_s);
   [[nodiscard]] Beacon beacon() const;
   template <typename Value>
@@ -87,15 +93,17 @@ class AgentSession {
   std::uint32_t incarnation_ = 0;
   Mission mission_;
   std::vector<AgentId> ids_;
+  std::optional<CellGrid> grid_;  ///< of a transit
   std::unique_ptr<Behaviour> behaviour_;
   std::optional<Tick> tick_;  ///< the newest
   std::optional<Sense> sense_;
-  /// By (round, agent), the last two rounds. One that the behaviour cannot use is heard, but counts as left out.
-  std::map<std::pair<std::uint32_t, AgentId>, Representative> heard_;
+  PeerSamples<Representative> heard_;  ///< one that the behaviour cannot use is heard, but counts as left out
+  PeerSamples<ObstacleMapSample> heard_maps_;
   std::uint32_t done_round_ = 0;
   std::vector<std::uint64_t> matched_;  ///< as last introduced
   RoundOutput last_;
   std::optional<Representative> sent_;
+  std::optional<ObstacleMapSample> sent_map_;
   std::uint64_t state_hash_ = 0;
   bool dropped_ = false;  ///< it was live before
   std::optional<RefusalReason> refused_;

@@ -34,7 +34,7 @@ void check_lists(Checker& check, const wire::Beacon& sample) {
 }
 
 void check_state(Checker& check, const wire::Beacon& sample) {
-  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Rejoined, "beacon.mode");
+  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Deadlock, "beacon.mode");
   check.enumerator(sample.failing(), Constraint::None, Constraint::Terrain, "beacon.failing");
   if (sample.failing_peer() != 0) check.agent(sample.failing_peer(), "beacon.failing_peer");
   check.pose(sample.own(), "beacon.own");
@@ -72,6 +72,7 @@ wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp) {
   out.planned_length_m(beacon.planned_length_m);
   out.cost(beacon.cost);
   out.generation(beacon.generation);
+  out.map_hash(beacon.map_hash);
   out.state_hash(beacon.state_hash);
   return out;
 }
@@ -105,6 +106,7 @@ Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context
   out.planned_length_m = sample.planned_length_m();
   out.cost = sample.cost();
   out.generation = sample.generation();
+  out.map_hash = sample.map_hash();
   out.state_hash = sample.state_hash();
   return out;
 }

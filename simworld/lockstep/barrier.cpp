@@ -31,14 +31,23 @@ bool Barrier::accept(const Representative& sample) {
   return true;
 }
 
+bool Barrier::accept(const ObstacleMapSample& sample) {
+  Part* part = part_of(sample.agent, sample.incarnation, sample.round);
+  if (part == nullptr || part->answer.obstacle_map) return false;
+  part->answer.obstacle_map = sample;
+  return true;
+}
+
 void Barrier::excuse(AgentId agent) {
   const auto found = parts_.find(agent);
   if (found != parts_.end()) found->second.excused = true;
 }
 
 bool Barrier::closed(const Part& part) {
-  return part.excused ||
-         (part.answer.beacon && (!part.answer.beacon->representative || part.answer.representative.has_value()));
+  if (part.excused) return true;
+  const Answer& answer = part.answer;
+  return answer.beacon && (!answer.beacon->representative || answer.representative.has_value()) &&
+         (!answer.beacon->obstacle_map || answer.obstacle_map.has_value());
 }
 
 bool Barrier::complete() const {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "planner/core/lockstep/map_sample.hpp"
 #include "planner/core/lockstep/samples.hpp"
 
 namespace skein {
@@ -16,6 +17,7 @@ namespace skein {
 struct Answer {
   std::optional<Beacon> beacon;  ///< its closing beacon
   std::optional<Representative> representative;
+  std::optional<ObstacleMapSample> obstacle_map;
 };
 
 class Barrier {
@@ -25,6 +27,7 @@ class Barrier {
   /// @return whether the beacon closes its agent's part of the open round for the first time.
   bool accept(const Beacon& beacon);
   bool accept(const Representative& sample);
+  bool accept(const ObstacleMapSample& sample);
   /// The agent no longer has to answer.
   void excuse(AgentId agent);
 

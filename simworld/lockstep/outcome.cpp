@@ -6,7 +6,7 @@
 namespace skein {
 namespace {
 
-/// Faults and roster changes that were asked for and whose moment never came.
+/// Faults and roster changes that were asked for and whose moment never came, as the end of a reason.
 std::string unused_of(const WorldSession& session) {
   std::string text;
   for (const Fault& fault : session.unused_faults()) {

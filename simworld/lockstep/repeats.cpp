@@ -1,29 +1,49 @@
 #include "simworld/lockstep/repeats.hpp"
 
 namespace skein {
+namespace {
+
+template <typename Sample>
+void add_kept(const std::map<AgentId, Sample>& kept, AgentId agent, std::vector<Sample>& samples) {
+  const auto found = kept.find(agent);
+  if (found != kept.end()) samples.push_back(found->second);
+}
+
+template <typename Sample>
+void add_of_round(const std::map<AgentId, Sample>& kept, const Need& need, std::vector<Sample>& samples) {
+  const auto found = kept.find(need.agent);
+  if (found != kept.end() && found->second.round == need.round) samples.push_back(found->second);
+}
+
+}  // namespace
 
 void Repeats::keep(const Barrier& answers, const Tick& tick) {
-  kept_.clear();
+  representatives_.clear();
+  maps_.clear();
   for (const RosterEntry& entry : tick.roster) {
     const Answer* answer = answers.answer_of(entry.agent);
-    if (answer->representative) kept_[entry.agent] = *answer->representative;
+    if (answer->representative) representatives_[entry.agent] = *answer->representative;
+    if (answer->obstacle_map) maps_[entry.agent] = *answer->obstacle_map;
   }
 }
 
-std::vector<Representative> Repeats::asked_by(const Beacon& beacon) const {
-  std::vector<Representative> samples;
+Repeated Repeats::asked_by(const Beacon& beacon) const {
+  Repeated samples;
   for (const Need& need : beacon.needs) {
-    const auto found = kept_.find(need.agent);
-    if (found != kept_.end() && found->second.round == need.round) samples.push_back(found->second);
+    if (need.topic == NeedTopic::ObstacleMap) {
+      add_of_round(maps_, need, samples.maps);
+    } else {
+      add_of_round(representatives_, need, samples.representatives);
+    }
   }
   return samples;
 }
 
-std::vector<Representative> Repeats::counted_by(const Tick& tick) const {
-  std::vector<Representative> samples;
+Repeated Repeats::counted_by(const Tick& tick) const {
+  Repeated samples;
   for (const RosterEntry& entry : tick.roster) {
-    const auto found = kept_.find(entry.agent);
-    if (entry.representative && found != kept_.end()) samples.push_back(found->second);
+    if (entry.representative) add_kept(representatives_, entry.agent, samples.representatives);
+    if (entry.obstacle_map) add_kept(maps_, entry.agent, samples.maps);
   }
   return samples;
 }

@@ -1,5 +1,4 @@
-// The representatives that the open tick counts, kept for agents that lack them: the world publishes them again,
-// unchanged.
+// The samples that the open tick counts, kept for agents that lack them: the world publishes them again, unchanged.
 #pragma once
 
 #include <map>
@@ -9,17 +8,24 @@
 
 namespace skein {
 
+/// Samples to be published again.
+struct Repeated {
+  std::vector<Representative> representatives;
+  std::vector<ObstacleMapSample> maps;
+};
+
 class Repeats {
  public:
   /// Keeps what the agents of `tick` have answered to it; all that was kept before is forgotten.
   void keep(const Barrier& answers, const Tick& tick);
   /// What an open beacon names as lacking, as far as it is kept.
-  [[nodiscard]] std::vector<Representative> asked_by(const Beacon& beacon) const;
+  [[nodiscard]] Repeated asked_by(const Beacon& beacon) const;
   /// All that a tick counts.
-  [[nodiscard]] std::vector<Representative> counted_by(const Tick& tick) const;
+  [[nodiscard]] Repeated counted_by(const Tick& tick) const;
 
  private:
-  std::map<AgentId, Representative> kept_;
+  std::map<AgentId, Representative> representatives_;
+  std::map<AgentId, ObstacleMapSample> maps_;
 };
 
 }  // namespace skein

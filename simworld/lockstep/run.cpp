@@ -224,6 +224,7 @@ Tick Run::compose(const Barrier* answers) const {
   for (RosterEntry& entry : tick.roster) {
     const Beacon* beacon = answers == nullptr ? nullptr : own_beacon(*answers, entry);
     entry.representative = beacon != nullptr && beacon->representative;
+    entry.obstacle_map = beacon != nullptr && beacon->obstacle_map;
     entry.sense = phase_ == Phase::Flying;
   }
   tick.world_hash = hash_;

@@ -111,20 +111,32 @@ void WorldSession::on_sample(const wire::Beacon& sample, double now_s) {
 }
 
 void WorldSession::on_sample(const wire::Representative& sample, double /*now_s*/) {
+  collect<Representative>(sample, topics_.representative);
+}
+
+void WorldSession::on_sample(const wire::ObstacleMap& sample, double /*now_s*/) {
+  collect<ObstacleMapSample>(sample, topics_.obstacle_map);
+}
+
+template <typename Sample, typename Wire>
+void WorldSession::collect(const Wire& sample, TopicCount& count) {
   WireContext context;
   context.run = options_.run;
   context.roster = tick_.roster;
-  const Checked<Representative> checked = from_wire(sample, context);
+  if (mission_.transit) context.grid = grid_of(*mission_.transit);
+  const Checked<Sample> checked = from_wire(sample, context);
   if (!checked.ok()) return faults_.add(checked.fault().reason);
   if (barrier_.accept(checked.value())) {
-    ++topics_.representative.samples;
-    topics_.representative.bytes += wire::Representative::getCdrSerializedSize(sample);
+    ++count.samples;
+    count.bytes += Wire::getCdrSerializedSize(sample);
   }
 }
 
 /// The senders' own samples were counted when they arrived.
-void WorldSession::repeat(const std::vector<Representative>& samples, double now_s) {
-  for (TopicCount repeated; const Representative& sample : samples) send(sample, repeated, now_s);
+void WorldSession::repeat(const Repeated& samples, double now_s) {
+  TopicCount repeated;
+  for (const Representative& sample : samples.representatives) send(sample, repeated, now_s);
+  for (const ObstacleMapSample& sample : samples.maps) send(sample, repeated, now_s);
 }
 
 void WorldSession::poll_running(double now_s) {
@@ -271,7 +283,7 @@ void WorldSession::interrupt(std::string reason, int exit_code, double now_s) {
   last.phase = Phase::Finished;
   ++last.round;
   last.roster = run_.roster();
-  for (RosterEntry& entry : last.roster) entry.sense = entry.representative = false;
+  for (RosterEntry& entry : last.roster) entry.sense = entry.representative = entry.obstacle_map = false;
   open(last, now_s);
 }
 

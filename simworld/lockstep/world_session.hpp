@@ -42,7 +42,7 @@ struct TopicCount {
 };
 
 struct TopicCounts {
-  TopicCount mission, tick, sense, beacon, representative;
+  TopicCount mission, tick, sense, beacon, representative, obstacle_map;
 };
 
 /// Times at which the run changed phase, in the caller's clock; negative until then.
@@ -105,8 +105,11 @@ class WorldSession {
   void take(double now_s);
   void on_sample(const wire::Beacon& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);
-  void on_sample(const wire::ObstacleMap& /*sample*/, double /*now_s*/) {}
-  void repeat(const std::vector<Representative>& samples, double now_s);
+  void on_sample(const wire::ObstacleMap& sample, double now_s);
+  /// What a live agent shares with all others.
+  template <typename Sample, typename Wire>
+  void collect(const Wire& sample, TopicCount& count);
+  void repeat(const Repeated& samples, double now_s);
   void poll_waiting(double now_s);
   void poll_running(double now_s);
   void poll_closing(double now_s);

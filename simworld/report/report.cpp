@@ -84,7 +84,8 @@ Json topics_of(const TopicCounts& counts) {
           {"tick", entry(counts.tick)},
           {"sense", entry(counts.sense)},
           {"beacon", entry(counts.beacon)},
-          {"representative", entry(counts.representative)}};
+          {"representative", entry(counts.representative)},
+          {"obstacle_map", entry(counts.obstacle_map)}};
 }
 
 /// A whole number of `least` or more. @throws std::runtime_error
@@ -96,7 +97,6 @@ std::uint32_t whole(const nlohmann::json& item, const char* key, std::uint64_t l
   return value.get<std::uint32_t>();
 }
 
-/// What was asked for and never came to pass, as the end of a reason; empty if nothing.
 /// Outcome: success, reason, who is missing.
 Json outcome_of(const WorldSession& session) {
   const Outcome outcome = session.outcome();

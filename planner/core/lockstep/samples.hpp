@@ -28,6 +28,8 @@ enum class AgentMode : std::uint8_t {
   Arrived = 5,   ///< its path is flown to the end
   Leaving = 6,   ///< says goodbye: it was asked to end
   Rejoined = 7,  ///< came back after a loss: takes part from the next planning on
+  Unreachable = 8,  ///< knows no way to its goal; hovers, and gives way
+  Deadlock = 9,     ///< finds no way past the others, and has given up
 };
 
 /// The constraint that a plan violates, in the order in which they are named.
@@ -167,6 +169,7 @@ struct Beacon {
   double planned_length_m = 0.0;
   double cost = 0.0;             ///< of its best particle, in length units
   std::uint32_t generation = 0;  ///< of its sub-swarm
+  std::uint64_t map_hash = 0;    ///< of its obstacle map: equal maps, equal hashes; 0 without one
   std::uint64_t state_hash = 0;
 
   bool operator==(const Beacon&) const = default;

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "planner/core/cells/cell_grid.hpp"
 #include "planner/core/geometry/terrain.hpp"
 #include "planner/core/geometry/types.hpp"
 #include "planner/core/hash/state_hash.hpp"
@@ -67,6 +68,11 @@ struct TransitMission {
 
   bool operator==(const TransitMission&) const = default;
 };
+
+/// The cells into which its area is divided.
+[[nodiscard]] inline CellGrid grid_of(const TransitMission& transit) {
+  return grid_over(transit.area, transit.planner.cell_m, transit.planner.cell_height_m);
+}
 
 struct Mission {
   std::string name;

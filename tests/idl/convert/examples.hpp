@@ -127,6 +127,7 @@ inline Beacon beacon() {
   b.constraint_peer = 1;
   b.pose = {Vec3(1.0, 2.0, 3.0), 4.0, 0.5};
   b.commanded_velocity_mps = Vec3(6.0, 7.0, 8.0);
+  b.map_hash = 0x77;
   b.planned_length_m = 35050.0;
   b.cost = -3.5;
   b.generation = 9;
