@@ -59,6 +59,19 @@ bool Navigator::fly(const NavInput& input) const {
   return may_fly(body_, next_, input.neighbours, reaches_m);
 }
 
+// Whether a neighbour's motion of this decision passes the rules, as far as this UAV knows what it heard.
+bool Navigator::will_fly(const NavInput& input, const Neighbour& neighbour) const {
+  const Intent& intent = *neighbour.intent;
+  if ((intent.from_m - neighbour.position_m).norm() > kAtRest_m) return false;
+  std::vector<Neighbour> around;
+  for (const Neighbour& other : input.neighbours)
+    if (other.id != neighbour.id) around.push_back(other);
+  around.push_back({body_.id, input.position_m, body_.radius_m, std::nullopt});
+  if (next_.decision == input.decision) around.back().intent = next_;
+  const std::vector<double> reaches_m(around.size(), 0.0);
+  return may_fly({neighbour.id, neighbour.radius_m, 0.0}, intent, around, reaches_m);
+}
+
 std::vector<Other> Navigator::expect(const NavInput& input) {
   std::vector<Other> others;
   for (const Neighbour& neighbour : input.neighbours) {
@@ -68,7 +81,7 @@ std::vector<Other> Navigator::expect(const NavInput& input) {
     other.now_m = other.next_m = neighbour.position_m;
     if (neighbour.intent) {
       heard_[neighbour.id] = {input.decision, *neighbour.intent};
-      if ((neighbour.intent->from_m - neighbour.position_m).norm() <= kAtRest_m) other.next_m = neighbour.intent->to_m;
+      if (will_fly(input, neighbour)) other.next_m = neighbour.intent->to_m;
     }
     other.way_m = {other.now_m, other.next_m};
     const auto last = heard_.find(neighbour.id);

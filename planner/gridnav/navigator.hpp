@@ -63,6 +63,7 @@ class Navigator {
 
   void learn(std::span<const CellChange> changed);
   [[nodiscard]] bool fly(const NavInput& input) const;
+  [[nodiscard]] bool will_fly(const NavInput& input, const Neighbour& neighbour) const;
   [[nodiscard]] std::vector<Other> expect(const NavInput& input);
   void judge_progress(double to_go_m, bool yielding, std::size_t neighbours);
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <map>
 
+#include "planner/core/geometry/distance.hpp"
+
 namespace skein::gridnav {
 namespace {
 
@@ -27,10 +29,10 @@ bool open_move(const KnownMap& map, const Cell& c, const Cell& move) {
   return true;
 }
 
-/// Index of the other that stands too close to p, or -1.
-int taken_by(const Vec3& p, std::span<const Other> others) {
+/// Index of the other that stands too close to the motion from a to b, or -1.
+int taken_by(const Vec3& a, const Vec3& b, std::span<const Other> others) {
   for (std::size_t n = 0; n < others.size(); ++n)
-    if ((others[n].next_m - p).norm() < others[n].clearance_m) return static_cast<int>(n);
+    if (point_to_segment(others[n].next_m, a, b) < others[n].clearance_m) return static_cast<int>(n);
   return -1;
 }
 
@@ -51,19 +53,23 @@ BackOff search(const KnownMap& map, const Vec3& from_m, std::span<const Other> o
     BackOff found;
     for (; cell != order.front(); cell = parent.at(cell)) found.cells.push_back(cell);
     std::reverse(found.cells.begin(), found.cells.end());
+    Vec3 at = from_m;
     for (const CellIndex c : found.cells) {
-      const int by = taken_by(grid.centre_m(grid.cell_at(c)), others);
+      const Vec3 next = grid.centre_m(grid.cell_at(c));
+      const int by = taken_by(at, next, others);
       if (by >= 0 && found.blocked_by == 0) found.blocked_by = others[static_cast<std::size_t>(by)].id;
+      at = next;
     }
     return found;
   };
   for (std::size_t head = 0; head < order.size() && order.size() < kMostCells; ++head) {
     const Cell c = grid.cell_at(order[head]);
+    const Vec3 here = head == 0 ? from_m : grid.centre_m(c);
     for (const Cell& move : moves) {
       const Cell next{c.i + move.i, c.j + move.j, c.k + move.k};
       if (!open_move(map, c, move) || parent.contains(grid.index_of(next))) continue;
       const Vec3 centre = grid.centre_m(next);
-      const int by = taken_by(centre, others);
+      const int by = taken_by(here, centre, others);
       if (by >= 0 && (!push || way_first[static_cast<std::size_t>(by)])) continue;
       const CellIndex index = grid.index_of(next);
       parent[index] = order[head];
