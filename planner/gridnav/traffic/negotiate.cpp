@@ -41,18 +41,30 @@ class Negotiation {
   }
 
  private:
+  /// The intent whose place in the order an other has: its own, or that of the one on whose behalf it moves, as that
+  /// one said it last; a place handed on must not outlive a rotation. Nothing if unknown, or if it is this UAV's.
+  [[nodiscard]] const Intent* standing_of(const Other& other) const {
+    if (!other.intent || other.intent->on_behalf_of == self_.body.id) return nullptr;
+    if (other.intent->on_behalf_of == other.id) return &*other.intent;
+    for (const Other& root : others_)
+      if (root.id == other.intent->on_behalf_of && root.intent && root.intent->on_behalf_of == root.id)
+        return &*root.intent;
+    return nullptr;
+  }
+
   [[nodiscard]] bool is_first(const Other& other) const {
-    return &other == asker_ || (other.intent && key_of(other.id, *other.intent) < key_);
+    const Intent* its = standing_of(other);
+    return &other == asker_ || (its != nullptr && key_of(other.id, *its) < key_);
   }
 
   // Who asks with right of way is answered in its name.
   void hear_askers() {
     for (const Other& other : others_) {
-      if (!other.asks_own || !other.intent) continue;
-      const Intent& its = *other.intent;
-      if (its.on_behalf_of == self_.body.id || !(key_of(other.id, its) < key_)) continue;
+      if (!other.asks_own) continue;
+      const Intent* its = standing_of(other);
+      if (its == nullptr || !(key_of(other.id, *its) < key_)) continue;
       asker_ = &other;
-      inherit(its);
+      inherit(*its);
     }
   }
 
@@ -103,7 +115,7 @@ class Negotiation {
   }
 
   Announcement back_off(const Other& first) {
-    if (&first != asker_) inherit(*first.intent);
+    if (&first != asker_) inherit(*standing_of(first));
     result_.yielding = true;
     std::vector<bool> way_first;
     for (const Other& other : others_) way_first.push_back(&other == &first || is_first(other));
