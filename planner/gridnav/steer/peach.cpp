@@ -16,6 +16,14 @@ Plan Peach::plan(const Situation& at) {
   }
   table_.cells_around(own, around_);
   CellIndex best = grid.index_of(own);
+  if (best != last_) {
+    if (visited_[best] != 0) {
+      table_.raise(best, table_.minimum_raise());
+      plan.revisited.push_back(best);
+    }
+    visited_[best] = 1;
+    last_ = best;
+  }
   double least = table_.sum(best);
   for (const Cell& c : around_) {
     const double sum = table_.sum(grid.index_of(c));

@@ -93,6 +93,24 @@ void Peach3dPaper::walk(const Situation& at) {
   waypoints_m_.assign(way_m.begin() + 1, way_m.end());
 }
 
+// Too little of the leg has been seen: to the centre of the own cell, or from there to the next cell of a walk.
+void Peach3dPaper::offer_near(const Situation& at, Plan& plan) {
+  const CellGrid& grid = task_.grid;
+  waypoints_m_.clear();
+  const CellIndex own = grid.index_of(grid.cell_of(at.start_m));
+  const CellIndex next = least_around(own);
+  if (next == own) {
+    table_.raise(own, table_.minimum_raise());
+    plan.revisited.push_back(own);
+  }
+  for (const CellIndex cell : {next, own}) {
+    const Vec3 end = grid.centre_m(grid.cell_at(cell));
+    const double apart_m = (end - at.start_m).norm();
+    if (apart_m > 1e-6 && apart_m <= task_.step_m && at.map.motion_clear(at.start_m, end, task_.radius_m, at.need))
+      plan.options.push_back({end, task_.goal_m});
+  }
+}
+
 Plan Peach3dPaper::plan(const Situation& at) {
   Plan plan;
   plan.to_go_m = (task_.goal_m - at.start_m).norm();
@@ -119,6 +137,7 @@ Plan Peach3dPaper::plan(const Situation& at) {
     if (apart_m > 1e-9 && at.map.motion_clear(at.start_m, end, task_.radius_m, at.need))
       plan.options.push_back({end, to});
   }
+  if (plan.options.empty()) offer_near(at, plan);
   return plan;
 }
 

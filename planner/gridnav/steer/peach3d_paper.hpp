@@ -37,6 +37,7 @@ class Peach3dPaper final : public Steering {
   [[nodiscard]] bool dead_end(const Cell& own);
   void retrace(std::vector<CellIndex>& revisited);
   void walk(const Situation& at);
+  void offer_near(const Situation& at, Plan& plan);
   [[nodiscard]] CellIndex least_around(CellIndex from);
 
   Task task_;
