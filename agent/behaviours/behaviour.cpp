@@ -4,6 +4,7 @@
 
 #include "agent/behaviours/rejoined.hpp"
 #include "agent/behaviours/rendezvous.hpp"
+#include "agent/behaviours/transit.hpp"
 
 namespace skein {
 
@@ -11,6 +12,8 @@ std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self) 
   switch (mission.kind) {
     case MissionKind::Rendezvous:
       return std::make_unique<RendezvousBehaviour>(mission, self);
+    case MissionKind::Transit:
+      return std::make_unique<TransitBehaviour>(mission, self);
   }
   throw std::invalid_argument("unknown mission kind");
 }

@@ -13,8 +13,8 @@ namespace skein {
 /// Everything that a round's decision may depend on, besides the behaviour's own state.
 struct RoundInput {
   const Tick& tick;
-  const Sense* sense = nullptr;                ///< given in flight
-  std::span<const Representative> peers = {};  ///< of the round before, of all live peers that published, by id
+  const Sense* sense = nullptr;                  ///< given in flight
+  std::span<const Representative> peers = {};    ///< of the round before, of all live peers that published, by id
   std::span<const ObstacleMapSample> maps = {};  ///< the same; what of them the radio carries, the behaviour finds out
 };
 
@@ -26,8 +26,8 @@ struct RoundOutput {
   double planned_length_m = 0.0;
   double cost = 0.0;
   std::uint32_t generation = 0;
-  std::uint64_t map_hash = 0;                    ///< of its obstacle map; 0 without one
-  std::optional<Representative> representative;  ///< run, incarnation and round are filled in by the runtime
+  std::uint64_t map_hash = 0;                     ///< of its obstacle map; 0 without one
+  std::optional<Representative> representative;   ///< run, incarnation and round are filled in by the runtime
   std::optional<ObstacleMapSample> obstacle_map;  ///< the same
 };
 

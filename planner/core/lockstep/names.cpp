@@ -6,8 +6,8 @@ namespace skein {
 namespace {
 
 constexpr std::array<std::string_view, 4> kPhases{"waiting", "planning", "flying", "finished"};
-constexpr std::array<std::string_view, 10> kModes{"waiting", "planning", "ready", "failed", "flying",
- "arrived",  "leaving", "rejoined", "unreachable", "deadlock"};
+constexpr std::array<std::string_view, 10> kModes{"waiting", "planning", "ready",    "failed",      "flying",
+                                                  "arrived", "leaving",  "rejoined", "unreachable", "deadlock"};
 constexpr std::array<std::string_view, 8> kConstraints{"none",       "curvature", "obstacle", "no_fly",
                                                        "separation", "length",    "torsion",  "terrain"};
 constexpr std::array<std::string_view, 4> kRefusals{"", "id_in_use", "unknown_id", "run_started"};

@@ -20,14 +20,14 @@ enum class Phase : std::uint8_t { Waiting = 0, Planning = 1, Flying = 2, Finishe
 
 /// What an agent does, as its beacon says.
 enum class AgentMode : std::uint8_t {
-  Waiting = 0,   ///< not admitted yet
-  Planning = 1,  ///< in planning rounds
-  Ready = 2,     ///< the whole swarm has a feasible set of paths
-  Failed = 3,    ///< planning ended without a feasible set; the beacon's constraint says which one fails
-  Flying = 4,    ///< follows its path
-  Arrived = 5,   ///< its path is flown to the end
-  Leaving = 6,   ///< says goodbye: it was asked to end
-  Rejoined = 7,  ///< came back after a loss: takes part from the next planning on
+  Waiting = 0,      ///< not admitted yet
+  Planning = 1,     ///< in planning rounds
+  Ready = 2,        ///< the whole swarm has a feasible set of paths
+  Failed = 3,       ///< planning ended without a feasible set; the beacon's constraint says which one fails
+  Flying = 4,       ///< follows its path
+  Arrived = 5,      ///< its path is flown to the end
+  Leaving = 6,      ///< says goodbye: it was asked to end
+  Rejoined = 7,     ///< came back after a loss: takes part from the next planning on
   Unreachable = 8,  ///< knows no way to its goal; hovers, and gives way
   Deadlock = 9,     ///< finds no way past the others, and has given up
 };

@@ -1,6 +1,7 @@
 #include "planner/core/mission/mission.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "planner/core/math/det_math.hpp"
@@ -19,6 +20,11 @@ const VehicleSpec& vehicle_of(const Mission& mission, AgentId id) {
     throw std::invalid_argument("the mission has no vehicle " + std::to_string(id));
   }
   return *found;
+}
+
+std::uint32_t steps_per_decision(const Mission& mission) {
+  const double steps = std::floor(mission.transit->planner.decision_s / mission.step_s + 0.5);
+  return steps < 1.0 ? 1 : static_cast<std::uint32_t>(steps);
 }
 
 Pose slot_pose(const Mission& mission, const VehicleSpec& vehicle) {

@@ -97,6 +97,9 @@ struct Mission {
 /// The spec of an agent's vehicle. @throws std::invalid_argument if the mission has no such vehicle.
 [[nodiscard]] const VehicleSpec& vehicle_of(const Mission& mission, AgentId id);
 
+/// Flight steps from one decision of a transit to the next. @pre mission.transit, decision_s a multiple of step_s
+[[nodiscard]] std::uint32_t steps_per_decision(const Mission& mission);
+
 /// Where a vehicle must arrive: its offset as part of a virtual structure, turned with the formation heading, and the
 /// formation's own direction (papers/001, section 2.1).
 [[nodiscard]] Pose slot_pose(const Mission& mission, const VehicleSpec& vehicle);

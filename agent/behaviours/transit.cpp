@@ -1,0 +1,172 @@
+#include "agent/behaviours/transit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace skein {
+namespace {
+
+const TransitMission& transit_of(const Mission& mission) {
+  if (!mission.transit) throw std::invalid_argument("the mission is no transit");
+  return *mission.transit;
+}
+
+std::size_t rank_of(const Mission& mission, AgentId id) {
+  return static_cast<std::size_t>(&vehicle_of(mission, id) - mission.vehicles.data());
+}
+
+RadioShare share_of(const Mission& mission, AgentId self) {
+  return {.decision_s = transit_of(mission).planner.decision_s,
+          .rank = static_cast<std::uint32_t>(rank_of(mission, self)),
+          .count = static_cast<std::uint32_t>(mission.vehicles.size()),
+          .control_bytes = payload_bytes(0, 0)};
+}
+
+AgentMode mode_of(NavStatus status) {
+  switch (status) {
+    case NavStatus::Arrived:
+      return AgentMode::Arrived;
+    case NavStatus::Unreachable:
+      return AgentMode::Unreachable;
+    case NavStatus::Deadlock:
+      return AgentMode::Deadlock;
+    case NavStatus::Flying:
+      break;
+  }
+  return AgentMode::Flying;
+}
+
+const HeardPeer* find_heard(const Sense& sense, AgentId id) {
+  const auto found = std::ranges::find(sense.heard, id, &HeardPeer::agent);
+  return found == sense.heard.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+TransitBehaviour::TransitBehaviour(const Mission& mission, AgentId self)
+    : mission_(mission),
+      self_(self),
+      steps_per_decision_(steps_per_decision(mission)),
+      navigator_(mission, self),
+      map_(grid_of(transit_of(mission)), self, ids_of(mission)),
+      budget_(transit_of(mission).radio, share_of(mission, self)) {
+  last_.planned_length_m =
+      (mission.transit->goals_m.at(rank_of(mission, self)) - vehicle_of(mission, self).start.position_m).norm();
+}
+
+RoundOutput TransitBehaviour::on_round(const RoundInput& input) {
+  last_.obstacle_map.reset();
+  if (input.tick.phase == Phase::Planning) {
+    last_.mode = AgentMode::Ready;
+  } else if (input.tick.phase == Phase::Flying) {
+    if (input.sense == nullptr) throw std::invalid_argument("a flight step needs the agent's own sense sample");
+    const Sense& sense = *input.sense;
+    listen(input);
+    look(sense.sight);
+    const std::uint32_t into_decision = (input.tick.step - 1) % steps_per_decision_;
+    if (into_decision == 0) decide(input.tick, sense);
+    const double left_s = static_cast<double>(steps_per_decision_ - into_decision) * mission_.step_s;
+    last_.commanded_velocity_mps = (decision_.target_m - sense.pose.position_m) / left_s;
+  }
+  return last_;
+}
+
+/// Takes in what the radio carries of the round before, from the last flight step.
+void TransitBehaviour::listen(const RoundInput& input) {
+  const RadioOptions& radio = mission_.transit->radio;
+  for (const ObstacleMapSample& sample : input.maps) {
+    if (find_heard(*input.sense, sample.agent) == nullptr) continue;
+    if (is_lost(radio, mission_.seed, sample.agent, self_, input.tick.step - 1, sample.round)) continue;
+    receiver_.receive(sample, latency_of(radio));
+  }
+}
+
+void TransitBehaviour::look(const CellWindow& sight) {
+  std::vector<CellChange> seen;
+  const CellGrid& grid = map_.grid();
+  for (std::size_t n = 0; n < sight.size(); ++n) {
+    const CellState state = sight.at(n);
+    const Cell cell = sight.cell(n);
+    if (state == CellState::Unknown || !grid.contains(cell)) continue;
+    const CellIndex index = grid.index_of(cell);
+    if (map_.at(index) != state) seen.push_back({index, state});
+  }
+  if (!seen.empty()) map_.observe(seen);
+}
+
+void TransitBehaviour::decide(const Tick& tick, const Sense& sense) {
+  const std::uint32_t decision = (tick.step - 1) / steps_per_decision_ + 1;
+  for (const ObstacleMapSample& sample : receiver_.hear(tick.round)) {
+    if (mission_.transit->planner.share_maps != 0.0) map_.merge(sample);
+  }
+  const std::vector<CellChange> changed = map_.take_changes();
+  const std::vector<gridnav::Neighbour> around = neighbours(sense, decision);
+  decision_ = navigator_.decide({decision, sense.pose.position_m, changed, around});
+  std::vector<CellChange> marks;
+  for (const CellIndex cell : decision_.revisited) marks.push_back({cell, CellState::Revisited});
+  if (!marks.empty()) map_.observe(marks);
+  last_.mode = mode_of(decision_.status);
+  last_.generation = decision;
+  last_.cost = std::max(0.0, navigator_.to_go_m());
+  last_.map_hash = map_.map_hash();
+  last_.obstacle_map = compose(tick, sense, decision);
+}
+
+std::vector<gridnav::Neighbour> TransitBehaviour::neighbours(const Sense& sense, std::uint32_t decision) const {
+  std::vector<gridnav::Neighbour> around;
+  for (const HeardPeer& peer : sense.heard) {
+    if (peer.landed) continue;
+    gridnav::Neighbour neighbour{peer.agent, peer.position_m, vehicle_of(mission_, peer.agent).radius_m, std::nullopt};
+    const ObstacleMapSample* last = receiver_.last_of(peer.agent);
+    if (last != nullptr && last->intent.decision == decision) neighbour.intent = last->intent;
+    around.push_back(std::move(neighbour));
+  }
+  return around;
+}
+
+std::vector<MapPeer> TransitBehaviour::peers_in_reach(const Sense& sense) const {
+  std::vector<MapPeer> peers;
+  for (const HeardPeer& peer : sense.heard) {
+    peers.push_back({peer.agent, peer.position_m, mission_.transit->goals_m[rank_of(mission_, peer.agent)]});
+  }
+  return peers;
+}
+
+std::optional<ObstacleMapSample> TransitBehaviour::compose(const Tick& tick, const Sense& sense,
+                                                           std::uint32_t decision) {
+  const TransitMission& transit = *mission_.transit;
+  const Allowance allowance = budget_.at(decision);
+  ObstacleMapSample sample;
+  if (allowance.payload_bytes < payload_bytes(0, 0)) {
+    budget_.silent();
+    return std::nullopt;
+  }
+  sample.intent = decision_.next;
+  if (transit.planner.share_maps != 0.0 && allowance.map_slot) {
+    const std::vector<MapPeer> peers = peers_in_reach(sense);
+    MapRequest request;
+    request.budget_bytes = allowance.payload_bytes;
+    request.round = tick.round;
+    request.peers = peers;
+    request.range_m = transit.radio.range_m;
+    request.latency_rounds = latency_of(transit.radio);
+    request.patience_rounds = std::max(4U, 2 * budget_.decisions_per_frame() * steps_per_decision_);
+    if (std::optional<MapPart> part = map_.compose(request)) {
+      sample.seen = std::move(part->seen);
+      sample.tiles = std::move(part->tiles);
+    }
+  }
+  budget_.sent(decision, payload_bytes(sample.tiles.size(), sample.seen.size()));
+  return sample;
+}
+
+void TransitBehaviour::add_to(StateHash& hash) const {
+  navigator_.add_to(hash);
+  map_.add_to(hash);
+  receiver_.add_to(hash);
+  budget_.add_to(hash);
+  hash.add(last_.mode).add(last_.commanded_velocity_mps).add(decision_.target_m);
+}
+
+}  // namespace skein

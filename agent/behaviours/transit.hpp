@@ -1,0 +1,49 @@
+// Transit: each UAV crosses unknown space to its goal, and shares with its peers what its sensor saw.
+//
+//   phase     mode of the round                       publishes                        commands
+//   planning  Ready: there is nothing to plan before  nothing                          nothing
+//   flying    Flying, Arrived, Unreachable, Deadlock  at each decision: obstacle map   straight to the decision's
+//   target finished  as before                               nothing                          nothing
+// A decision is taken every decision_s, in the flight steps 1, 1 + D, 1 + 2 D ...; a sample composed in one is heard,
+// if the radio carries it (planner/core/radio), in the next. The intent in it stands for the next decision. In between
+// the UAV flies on at constant velocity, and its map takes in what its sensor sees. Source: papers/004, sections III
+// and IV. Departs from source: intents; maps by anti-entropy instead of whole.
+#pragma once
+
+#include "agent/behaviours/behaviour.hpp"
+#include "planner/core/obstacle_map/obstacle_map.hpp"
+#include "planner/core/radio/radio.hpp"
+#include "planner/core/radio/radio_budget.hpp"
+#include "planner/gridnav/navigator.hpp"
+
+namespace skein {
+
+class TransitBehaviour final : public Behaviour {
+ public:
+  /// @throws std::invalid_argument if the mission is no transit, has no such vehicle or its options are not legal.
+  TransitBehaviour(const Mission& mission, AgentId self);
+
+  [[nodiscard]] bool can_use(const Representative& /*peer*/) const override { return false; }
+  RoundOutput on_round(const RoundInput& input) override;
+  void add_to(StateHash& hash) const override;
+
+ private:
+  void listen(const RoundInput& input);
+  void look(const CellWindow& sight);
+  void decide(const Tick& tick, const Sense& sense);
+  [[nodiscard]] std::vector<gridnav::Neighbour> neighbours(const Sense& sense, std::uint32_t decision) const;
+  [[nodiscard]] std::optional<ObstacleMapSample> compose(const Tick& tick, const Sense& sense, std::uint32_t decision);
+  [[nodiscard]] std::vector<MapPeer> peers_in_reach(const Sense& sense) const;
+
+  Mission mission_;
+  AgentId self_;
+  std::uint32_t steps_per_decision_;
+  gridnav::Navigator navigator_;
+  ObstacleMap map_;
+  RadioReceiver<ObstacleMapSample> receiver_;
+  RadioBudget budget_;
+  gridnav::NavDecision decision_;  ///< the newest
+  RoundOutput last_;
+};
+
+}  // namespace skein
