@@ -25,6 +25,7 @@ int validate(const WorldArguments& arguments, bool json) {
   const auto& scenario = std::get<Scenario>(result);
   const Mission& mission = scenario.mission;
   const std::vector<std::string> notes = scenario::notes_of(mission);
+  const std::string& planner = mission.transit ? mission.transit->planner.name : mission.planner.name;
   if (json) {
     std::cout << nlohmann::ordered_json{{"valid", true},
                                         {"scenario", mission.name},
@@ -32,12 +33,12 @@ int validate(const WorldArguments& arguments, bool json) {
                                         {"seed", mission.seed},
                                         {"vehicles", mission.vehicles.size()},
                                         {"zones", mission.zones.size()},
-                                        {"planner", mission.planner.name},
+                                        {"planner", planner},
                                         {"notes", notes}}
               << "\n";
   } else {
     std::cout << fmt::format("{}: valid: {} vehicles, {} zones, planner {}, seed {}\n", arguments.scenario,
-                             mission.vehicles.size(), mission.zones.size(), mission.planner.name, mission.seed);
+                             mission.vehicles.size(), mission.zones.size(), planner, mission.seed);
     for (const std::string& note : notes) std::cout << fmt::format("{}: note: {}\n", arguments.scenario, note);
   }
   return 0;

@@ -49,7 +49,7 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
       mission_(mission),
       options_(options),
       fail_fast_(fail_fast),
-      world_(mission, options.on_agent_loss),
+      world_(mission, options.on_agent_loss, options.hidden),
       hash_(mission_hash(mission)) {
   for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({.agent = vehicle.id});
 }

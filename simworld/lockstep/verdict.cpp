@@ -19,7 +19,7 @@ std::string zone_name(const Mission& mission, std::size_t index) {
   return fmt::format("{}.{}", no_fly ? "no_fly" : "obstacles", place);
 }
 
-std::string describe(const Contact& contact, const Mission& mission) {
+std::string describe(const Contact& contact, const Mission& mission, const World& world) {
   switch (contact.kind) {
     case ContactKind::Vehicles:
       return fmt::format("vehicles {} and {} collided at step {}", contact.vehicle, contact.other, contact.step);
@@ -28,16 +28,32 @@ std::string describe(const Contact& contact, const Mission& mission) {
                          contact.vehicle, contact.other, contact.step, contact.distance_m);
     case ContactKind::Terrain:
       return fmt::format("vehicle {} touched the terrain at step {}", contact.vehicle, contact.step);
+    case ContactKind::Hidden:
+      return fmt::format("vehicle {} touched {} at step {}", contact.vehicle, world.hidden()[contact.other].name,
+                         contact.step);
     default:
       return fmt::format("vehicle {} touched {} at step {}", contact.vehicle, zone_name(mission, contact.other),
                          contact.step);
   }
 }
 
+/// Of a transit everybody must arrive, in any order; vehicles of lost agents are told of as losses.
+std::string transit_failure(const World& world) {
+  std::string missing;
+  bool any = false;
+  for (const VehicleRecord& vehicle : world.vehicles()) {
+    any = any || vehicle.status == VehicleStatus::Arrived;
+    if (vehicle.status != VehicleStatus::Unreachable && vehicle.status != VehicleStatus::Deadlock) continue;
+    missing += fmt::format("{}vehicle {}: {}", missing.empty() ? "" : ", ", vehicle.spec.id, name_of(vehicle.status));
+  }
+  return missing.empty() && !any ? "no vehicle arrived" : missing;
+}
+
 }  // namespace
 
 std::string Run::mission_failure() const {
   if (!failure_.empty()) return failure_;
+  if (mission_.transit) return transit_failure(world_);
   double first_s = 0.0;
   double last_s = 0.0;
   bool any = false;
@@ -51,7 +67,7 @@ std::string Run::mission_failure() const {
   if (!any) return "no vehicle arrived";
   if (last_s - first_s > mission_.step_s) return fmt::format("arrivals are {:.2f} s apart", last_s - first_s);
   const auto near = std::ranges::find(world_.contacts(), ContactKind::NearMiss, &Contact::kind);
-  return near == world_.contacts().end() ? "" : describe(*near, mission_);
+  return near == world_.contacts().end() ? "" : describe(*near, mission_, world_);
 }
 
 Verdict Run::verdict() const {
@@ -76,7 +92,7 @@ Verdict Run::verdict() const {
       std::ranges::find_if(world_.contacts(), [](const Contact& c) { return c.kind != ContactKind::NearMiss; });
   if (hit != world_.contacts().end()) {
     verdict.code = ExitCode::Failed;
-    verdict.reason = describe(*hit, mission_);
+    verdict.reason = describe(*hit, mission_, world_);
   } else if (!losses.empty()) {
     verdict.code = ExitCode::AgentLost;
     verdict.reason = failure.empty() ? losses + "; the others arrived" : losses + "; " + failure;
@@ -84,7 +100,7 @@ Verdict Run::verdict() const {
     verdict.code = ExitCode::Failed;
     verdict.reason = failure;
   } else {
-    verdict.reason = "all vehicles arrived in formation";
+    verdict.reason = mission_.transit ? "all vehicles arrived" : "all vehicles arrived in formation";
   }
   return verdict;
 }

@@ -35,11 +35,21 @@ std::string vehicle_reason(const VehicleRecord& vehicle, const Run& run) {
                                                  : fmt::format("agent lost: {}", name_of(change.reason));
   }
   if (!lost.empty()) return lost;
-  return vehicle.status == VehicleStatus::Missed ? "did not pass through its slot" : "";
+  switch (vehicle.status) {
+    case VehicleStatus::Missed:
+      return "did not pass through its slot";
+    case VehicleStatus::Unreachable:
+      return "found no way to its goal";
+    case VehicleStatus::Deadlock:
+      return "found no way past the others";
+    default:
+      return "";
+  }
 }
 
 Json vehicles_of(const Run& run) {
   Json list = Json::array();
+  const std::vector<std::optional<double>> shortest_m = run.world().shortest_paths_m();
   for (const VehicleRecord& vehicle : run.world().vehicles()) {
     const auto plan = std::ranges::find(run.plan(), vehicle.spec.id, &PlanFigures::agent);
     const bool arrived = vehicle.arrival_step > 0;
@@ -54,6 +64,7 @@ Json vehicles_of(const Run& run) {
                     {"max_torsion_per_m", vehicle.max_torsion_per_m},
                     {"status", name_of(vehicle.status)},
                     {"reason", vehicle_reason(vehicle, run)}});
+    if (!shortest_m.empty()) list.back()["shortest_path_m"] = or_null(shortest_m[list.size() - 1]);
   }
   return list;
 }
@@ -129,7 +140,8 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["version"] = version();
   report["carrier"] = context.carrier;
   report["fail_fast"] = session.fail_fast();
-  report["planner"] = scenario.mission.planner.name;
+  const auto& transit = scenario.mission.transit;
+  report["planner"] = transit ? transit->planner.name : scenario.mission.planner.name;
   const std::optional<double> spread_m = run.plan_spread_m();
   report["plan_feasible"] = spread_m.has_value();
   report["plan_success"] = spread_m && *spread_m <= scenario.mission.planner.length_tolerance_m;
@@ -137,7 +149,8 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["steps"] = run.steps_flown();
   report["rounds"] = run.planning_rounds();
   report["collisions"] = world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) +
-                         world.count(ContactKind::NoFly) + world.count(ContactKind::Terrain);
+                         world.count(ContactKind::NoFly) + world.count(ContactKind::Terrain) +
+                         world.count(ContactKind::Hidden);
   report["near_misses"] = world.count(ContactKind::NearMiss);
   report["min_separation_m"] = or_null(world.min_separation_m());
   report["min_clearance_m"] = or_null(world.min_clearance_m());

@@ -74,6 +74,7 @@ constexpr double kSameDirection = 1.0 - 5e-9;
 
 std::vector<std::string> notes_of(const Mission& mission) {
   std::vector<std::string> notes;
+  if (mission.transit) return notes;  // its vehicles have no slots
   for (const VehicleSpec& vehicle : mission.vehicles) {
     const Pose slot = slot_pose(mission, vehicle);
     const Vec3 along = (slot.position_m - vehicle.start.position_m).normalized();

@@ -158,6 +158,14 @@ std::string MapReader::name(std::string_view key) const {
   return node->text;
 }
 
+std::string MapReader::text(std::string_view key) const {
+  constexpr std::string_view kAllowed = "1 to 256 printable characters";
+  const YamlNode* node = scalar(key, true, kAllowed);
+  const bool printable = std::ranges::all_of(node->text, [](char c) { return c >= ' ' && c <= '~'; });
+  if (node->text.empty() || node->text.size() > 256 || !printable) refuse(key, kAllowed);
+  return node->text;
+}
+
 std::span<const YamlNode> MapReader::list(std::string_view key, std::size_t max, bool required) const {
   const std::string allowed = fmt::format("a list of {} to {} items", required ? 1 : 0, max);
   const YamlNode* node = find(key);

@@ -47,6 +47,8 @@ class MapReader {
                                  std::optional<std::string_view> fallback = {}) const;
   /// 1 to 64 letters, digits, dots, - and _.
   [[nodiscard]] std::string name(std::string_view key) const;
+  /// 1 to 256 printable characters, such as a file's name.
+  [[nodiscard]] std::string text(std::string_view key) const;
   /// The items of a list, at most `max`; none if the key is absent and not required.
   [[nodiscard]] std::span<const YamlNode> list(std::string_view key, std::size_t max, bool required) const;
   /// A reader of the map under a key; of an empty one if it is absent and not required.

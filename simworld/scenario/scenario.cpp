@@ -11,6 +11,7 @@
 #include "simworld/scenario/checks.hpp"
 #include "simworld/scenario/overrides.hpp"
 #include "simworld/scenario/sections.hpp"
+#include "simworld/scenario/transit_checks.hpp"
 #include "simworld/scenario/yaml_tree.hpp"
 
 namespace skein {
@@ -61,17 +62,28 @@ ScenarioResult parse_scenario(const std::string& text, const std::string& path, 
   Scenario scenario;
   scenario.path = path;
   scenario.text = text;
+  scenario.overrides.assign(overrides.begin(), overrides.end());
   scenario.scenario_hash = hash_of(text, overrides);
   try {
     scenario::YamlNode root = scenario::parse_yaml(text);
     for (const Override& change : overrides) scenario::apply_override(root, change.key, change.value);
-    const scenario::Places places = scenario::read_sections(root, scenario);
-    if (seed) scenario.mission.seed = *seed;
-    scenario::check_mission(scenario.mission, places);
+    const scenario::Places places = scenario::read_sections(root, seed, scenario);
+    if (scenario.mission.transit) {
+      scenario::check_transit(scenario, places);
+    } else {
+      scenario::check_mission(scenario.mission, places);
+    }
   } catch (const scenario::ReadFault& fault) {
     return fault_at(path, fault);
   }
   return scenario;
+}
+
+ScenarioResult with_seed(const Scenario& scenario, std::uint64_t seed) {
+  if (scenario.mission.transit) return parse_scenario(scenario.text, scenario.path, scenario.overrides, seed);
+  Scenario other = scenario;
+  other.mission.seed = seed;
+  return other;
 }
 
 }  // namespace skein

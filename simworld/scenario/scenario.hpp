@@ -12,8 +12,10 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "planner/core/mission/mission.hpp"
+#include "simworld/collision/obstacle.hpp"
 
 namespace skein {
 
@@ -42,6 +44,7 @@ struct WorldOptions {
   std::uint32_t max_steps = 100'000;                ///< flight steps after which a run is given up, 1 to 10 million
   std::uint32_t max_rounds = 100'000;               ///< planning rounds after which a run is given up, 1 to 10 million
   OnAgentLoss on_agent_loss = OnAgentLoss::Remove;  ///< what becomes of a lost agent's vehicle
+  std::vector<Obstacle> hidden;                     ///< of a transit: what agents are not told of
 
   bool operator==(const WorldOptions&) const = default;
 };
@@ -53,6 +56,7 @@ struct Scenario {
   std::uint64_t scenario_hash = 0;  ///< of the file's text and the overrides, in their order; not of the seed
   std::string path;                 ///< as given
   std::string text;                 ///< of the file, unchanged
+  std::vector<Override> overrides;  ///< in their order
 };
 
 using ScenarioResult = std::variant<Scenario, ScenarioFault>;
@@ -65,5 +69,8 @@ using ScenarioResult = std::variant<Scenario, ScenarioFault>;
 /// The same of a text already in memory; `path` is only for messages.
 [[nodiscard]] ScenarioResult parse_scenario(const std::string& text, const std::string& path,
                                             std::span<const Override> overrides, std::optional<std::uint64_t> seed);
+
+/// The scenario as it is with another seed: what it draws at random is drawn again. A fault if that finds no room.
+[[nodiscard]] ScenarioResult with_seed(const Scenario& scenario, std::uint64_t seed);
 
 }  // namespace skein

@@ -17,7 +17,7 @@ Vec3 turned(const Vec3& from, const Vec3& across, double angle_rad) {
 }  // namespace
 
 VehicleState initial_state(const VehicleSpec& spec) {
-  const double speed_mps = spec.type == VehicleType::Multirotor ? 0.0 : spec.speed_mps;
+  const double speed_mps = spec.type == VehicleType::ConstantSpeed ? spec.speed_mps : 0.0;
   return {spec.start.position_m, speed_mps * direction_of(spec.start)};
 }
 

@@ -36,10 +36,29 @@ VehicleStep advance_multirotor(const VehicleSpec& spec, const VehicleState& stat
   return step;
 }
 
+VehicleStep advance_holonomic(const VehicleSpec& spec, const VehicleState& state, const Vec3& commanded_velocity_mps,
+                              double dt_s) {
+  const Vec3 velocity_mps = clipped(commanded_velocity_mps, spec.speed_mps);
+  VehicleStep step;
+  for (std::size_t i = 0; i < kMotionPoints; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(kMotionPoints - 1);
+    step.motion.points_m[i] = state.position_m + part * dt_s * velocity_mps;
+  }
+  step.motion.length_m = velocity_mps.norm() * dt_s;
+  step.after = {step.motion.points_m.back(), velocity_mps};
+  return step;
+}
+
 VehicleStep advance_vehicle(const VehicleSpec& spec, const VehicleState& state, const Vec3& commanded_velocity_mps,
                             double dt_s) {
-  return spec.type == VehicleType::Multirotor ? advance_multirotor(spec, state, commanded_velocity_mps, dt_s)
-                                              : advance_constant_speed(spec, state, commanded_velocity_mps, dt_s);
+  switch (spec.type) {
+    case VehicleType::Multirotor:
+      return advance_multirotor(spec, state, commanded_velocity_mps, dt_s);
+    case VehicleType::Holonomic:
+      return advance_holonomic(spec, state, commanded_velocity_mps, dt_s);
+    default:
+      return advance_constant_speed(spec, state, commanded_velocity_mps, dt_s);
+  }
 }
 
 }  // namespace skein

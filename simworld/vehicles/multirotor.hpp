@@ -2,7 +2,8 @@
 //
 // A step changes the velocity at a constant rate towards the commanded one,
 //   v1 = v0 + clip(clip(v_c, v_max) - v0, a_max dt),   x(t) = x0 + v0 t + (v1 - v0) t^2 / (2 dt),
-// clip shortening a vector to a length. Heading is left out: it faces the way it moves.
+// clip shortening a vector to a length. Heading is left out: it faces the way it moves. The holonomic vehicle is its
+// limit without inertia, v1 = clip(v_c, v_max) throughout the step: a straight motion.
 // Source: the usual point-mass model of papers/002 and papers/004. Departs from source: none. Complexity: O(1).
 #pragma once
 
@@ -14,7 +15,11 @@ namespace skein {
 [[nodiscard]] VehicleStep advance_multirotor(const VehicleSpec& spec, const VehicleState& state,
                                              const Vec3& commanded_velocity_mps, double dt_s);
 
-/// One step of a vehicle of either type.
+/// The same without inertia. @pre spec.speed_mps and dt_s are positive.
+[[nodiscard]] VehicleStep advance_holonomic(const VehicleSpec& spec, const VehicleState& state,
+                                            const Vec3& commanded_velocity_mps, double dt_s);
+
+/// One step of a vehicle of any type.
 [[nodiscard]] VehicleStep advance_vehicle(const VehicleSpec& spec, const VehicleState& state,
                                           const Vec3& commanded_velocity_mps, double dt_s);
 

@@ -8,7 +8,8 @@
 
 #include "planner/core/geometry/frames.hpp"
 #include "planner/core/math/det_math.hpp"
-#include "simworld/collision/clearance.hpp"
+#include "simworld/sensing/sensor.hpp"
+#include "simworld/sensing/shortest_paths.hpp"
 
 namespace skein {
 namespace {
@@ -22,25 +23,28 @@ double torsion_per_m(const Vec3& before, const Vec3& now, double length_m) {
   return math::atan2(before.cross(now).norm(), std::fabs(before.dot(now))) / length_m;
 }
 
-/// A multirotor stands still; a vehicle that cannot circles to its left, level, as tightly as it can.
+/// What can hover stands still; a vehicle that cannot circles to its left, level, as tightly as it can.
 Vec3 waiting_course(const VehicleRecord& vehicle) {
-  if (vehicle.spec.type == VehicleType::Multirotor) return Vec3::Zero();
+  if (vehicle.spec.type != VehicleType::ConstantSpeed) return Vec3::Zero();
   return {-vehicle.state.velocity_mps.y(), vehicle.state.velocity_mps.x(), 0.0};
 }
 
 }  // namespace
 
 std::string_view name_of(VehicleStatus status) {
-  constexpr std::array<std::string_view, 8> kNames{"",        "flying", "arrived",  "missed",
-                                                   "removed", "adrift", "hovering", "rejoined"};
+  constexpr std::array<std::string_view, 10> kNames{"",       "flying",   "arrived",  "missed",      "removed",
+                                                    "adrift", "hovering", "rejoined", "unreachable", "deadlock"};
   return kNames.at(static_cast<std::size_t>(status));
 }
 
-World::World(const Mission& mission, OnAgentLoss on_agent_loss)
+World::World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obstacle> hidden)
     : step_s_(mission.step_s),
       arrival_radius_m_(mission.arrival_radius_m),
       zones_(mission.zones),
       terrain_(mission.terrain),
+      hidden_(std::move(hidden)),
+      transit_(mission.transit),
+      seed_(mission.seed),
       on_agent_loss_(on_agent_loss) {
   if (mission.vehicles.empty()) throw std::invalid_argument("a world needs at least one vehicle");
   if (!(step_s_ > 0.0)) throw std::invalid_argument("step_s must be positive");
@@ -48,9 +52,17 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss)
     VehicleRecord record;
     record.spec = spec;
     record.slot = slot_pose(mission, spec);
+    if (transit_) record.slot = {transit_->goals_m.at(vehicles_.size()), 0.0, 0.0};
     record.state = initial_state(spec);
+    record.heading_rad = spec.start.heading_rad;
     vehicles_.push_back(record);
   }
+  if (transit_) {
+    arrival_radius_m_ = transit_->goal_radius_m;
+    truth_.emplace(cells_of(mission), all_obstacles(mission, hidden_));
+  }
+  for (const Obstacle& obstacle : hidden_) hidden_bounds_.push_back(bounds_of(obstacle));
+  in_hidden_.resize(vehicles_.size() * hidden_.size());
   motions_.resize(vehicles_.size());
   touching_.resize(vehicles_.size() * vehicles_.size());
   near_.resize(vehicles_.size() * vehicles_.size());
@@ -70,7 +82,7 @@ const VehicleRecord& World::vehicle(AgentId id) const {
 }
 
 bool World::in_the_air(std::size_t i) const {
-  return vehicles_[i].status != VehicleStatus::Removed;
+  return vehicles_[i].status != VehicleStatus::Removed && !vehicles_[i].landed;
 }
 
 std::size_t World::count(ContactKind kind) const {
@@ -80,6 +92,7 @@ std::size_t World::count(ContactKind kind) const {
 void World::lose_agent(AgentId id) {
   VehicleRecord& vehicle = vehicles_[index_of(id)];
   if (vehicle.status == VehicleStatus::Removed) return;  // of an agent that came back, and is lost again
+  if (vehicle.landed) return;
   if (!airborne_ || on_agent_loss_ == OnAgentLoss::Remove) {
     vehicle.status = VehicleStatus::Removed;
   } else {
@@ -92,6 +105,16 @@ void World::return_agent(AgentId id) {
   if (vehicle.status == VehicleStatus::Adrift) vehicle.status = VehicleStatus::Rejoined;
 }
 
+void World::note_given_up(AgentId id, NavStatus status) {
+  VehicleRecord& vehicle = vehicles_[index_of(id)];
+  const bool obeys = vehicle.status == VehicleStatus::Flying || vehicle.status == VehicleStatus::Unreachable ||
+                     vehicle.status == VehicleStatus::Deadlock;
+  if (!transit_ || !obeys) return;
+  vehicle.status = status == NavStatus::Unreachable ? VehicleStatus::Unreachable
+                   : status == NavStatus::Deadlock  ? VehicleStatus::Deadlock
+                                                    : VehicleStatus::Flying;
+}
+
 void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands) {
   airborne_ = true;
   auto next = commands.begin();
@@ -102,7 +125,18 @@ void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands
   }
   check_vehicles(step);
   check_zones(step);
+  check_hidden(step);
   if (terrain_) check_terrain(step);
+  if (transit_) land();
+}
+
+/// After the step in which it arrived, whose motion counts like any other.
+void World::land() {
+  for (VehicleRecord& vehicle : vehicles_) {
+    if (vehicle.status != VehicleStatus::Arrived) continue;
+    vehicle.landed = true;
+    vehicle.state.velocity_mps = Vec3::Zero();
+  }
 }
 
 void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* command) {
@@ -121,8 +155,12 @@ void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* comman
   vehicle.state = moved.after;
   vehicle.flown_m += moved.motion.length_m;
   vehicle.max_curvature_per_m = std::max(vehicle.max_curvature_per_m, moved.motion.curvature_per_m);
-  if (vehicle.status != VehicleStatus::Flying) return;
+  if (vehicle.state.velocity_mps.head<2>().squaredNorm() > 0.0)
+    vehicle.heading_rad = pose_of(vehicle.state).heading_rad;
+  const bool gave_up = vehicle.status == VehicleStatus::Unreachable || vehicle.status == VehicleStatus::Deadlock;
+  if (vehicle.status != VehicleStatus::Flying && !gave_up) return;
   note_arrival(i, step);
+  if (transit_) return;
   const double off_m = std::sqrt((vehicle.state.position_m - vehicle.slot.position_m).squaredNorm());
   if (vehicle.status == VehicleStatus::Flying && command != nullptr && command->path_flown &&
       off_m > arrival_radius_m_ + moved.motion.length_m) {
@@ -132,7 +170,7 @@ void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* comman
 
 void World::note_arrival(std::size_t i, std::uint32_t step) {
   VehicleRecord& vehicle = vehicles_[i];
-  if (vehicle.spec.type == VehicleType::Multirotor) {  // arrives to hover: it need not pass through
+  if (vehicle.spec.type != VehicleType::ConstantSpeed) {  // arrives to hover: it need not pass through
     if ((vehicle.state.position_m - vehicle.slot.position_m).norm() > arrival_radius_m_) return;
     vehicle.status = VehicleStatus::Arrived;
     vehicle.arrival_step = step;
@@ -156,53 +194,6 @@ void World::note_arrival(std::size_t i, std::uint32_t step) {
   }
 }
 
-void World::note(bool touching, std::vector<bool>& open, std::size_t key, const Contact& contact) {
-  if (touching && !open[key]) contacts_.push_back(contact);
-  open[key] = touching;
-}
-
-void World::check_vehicles(std::uint32_t step) {
-  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    for (std::size_t j = i + 1; j < vehicles_.size(); ++j) {
-      if (!in_the_air(i) || !in_the_air(j)) continue;
-      const VehicleSpec& a = vehicles_[i].spec;
-      const VehicleSpec& b = vehicles_[j].spec;
-      const double distance_m = separation_m(motions_[i], motions_[j]);
-      min_separation_m_ = std::min(min_separation_m_.value_or(distance_m), distance_m);
-      const std::size_t key = i * vehicles_.size() + j;
-      least_m_[key] = std::min(least_m_[key], distance_m);
-      note(distance_m <= a.radius_m + b.radius_m, touching_, key,
-           {ContactKind::Vehicles, step, a.id, b.id, distance_m});
-      note(distance_m < a.safety_radius_m + b.safety_radius_m, near_, key,
-           {ContactKind::NearMiss, step, a.id, b.id, distance_m});
-    }
-  }
-}
-
-void World::check_zones(std::uint32_t step) {
-  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    if (!in_the_air(i)) continue;
-    for (std::size_t z = 0; z < zones_.size(); ++z) {
-      const double distance_m = clearance_m(motions_[i], zones_[z]);
-      const double body_m = distance_m - vehicles_[i].spec.radius_m;
-      min_clearance_m_ = std::min(min_clearance_m_.value_or(body_m), body_m);
-      const ContactKind kind = zones_[z].no_fly ? ContactKind::NoFly : ContactKind::VehicleObstacle;
-      note(body_m <= 0.0, in_zone_, i * zones_.size() + z,
-           {kind, step, vehicles_[i].spec.id, static_cast<std::uint32_t>(z), distance_m});
-    }
-  }
-}
-
-void World::check_terrain(std::uint32_t step) {
-  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
-    if (!in_the_air(i)) continue;
-    const double distance_m = clearance_m(motions_[i], *terrain_);
-    const double body_m = distance_m - vehicles_[i].spec.radius_m;
-    min_clearance_m_ = std::min(min_clearance_m_.value_or(body_m), body_m);
-    note(body_m <= 0.0, grounded_, i, {ContactKind::Terrain, step, vehicles_[i].spec.id, 0, distance_m});
-  }
-}
-
 std::vector<PairSeparation> World::separations() const {
   std::vector<PairSeparation> pairs;
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
@@ -218,6 +209,20 @@ std::vector<PairSeparation> World::separations() const {
 
 bool World::all_ended() const {
   return std::ranges::none_of(vehicles_, [](const auto& v) { return v.status == VehicleStatus::Flying; });
+}
+
+SeenWindow World::look_of(AgentId id, std::uint32_t step) const {
+  const std::size_t i = index_of(id);
+  const SensorOptions& sensor = transit_.value().sensor;
+  if (!in_the_air(i) || !looks_at(step, step_s_, sensor.period_s)) return {};
+  return look(*truth_, sensor, seed_, {id, step, vehicles_[i].state.position_m, vehicles_[i].heading_rad});
+}
+
+std::vector<std::optional<double>> World::shortest_paths_m() const {
+  if (!transit_) return {};
+  std::vector<Vec3> starts_m;
+  for (const VehicleRecord& vehicle : vehicles_) starts_m.push_back(vehicle.spec.start.position_m);
+  return skein::shortest_paths_m(*truth_, starts_m, transit_->goals_m);
 }
 
 void World::add_to(StateHash& hash) const {

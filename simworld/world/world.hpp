@@ -3,9 +3,12 @@
 // A plain value advanced one flight step at a time from the commands of the live agents. Between steps every motion is
 // checked continuously: separation of vehicles as closest approach of moving points, clearance from zones along the
 // path flown. A vehicle arrives in the step in which it crosses its slot's plane (the plane through the slot, square to
-// the formation's direction) within the arrival radius of the slot.
-// Source: papers/001, section 2.1 (arrival in formation) and Eq. 17 (separation); contacts are counted, not sampled.
-// Complexity of a step: O(V^2 + V Z) for V vehicles and Z zones.
+// the formation's direction) within the arrival radius of the slot; one that can hover, at the end of a step within
+// that radius. On a transit its goal is its slot, and it lands there: from then on it meets nobody. Obstacles that
+// agents are not told of are the world's alone; it also holds the grid of cells that are really occupied, which sensors
+// look at. Source: papers/001, section 2.1 (arrival in formation) and Eq. 17 (separation); contacts are counted, not
+// sampled; papers/004, section III-A. Complexity of a step: O(V^2 + V Z) for V vehicles and Z zones and hidden
+// obstacles.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +18,11 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/core/lockstep/map_sample.hpp"
+#include "planner/core/lockstep/seen_window.hpp"
 #include "planner/core/mission/mission.hpp"
+#include "simworld/collision/obstacle.hpp"
+#include "simworld/sensing/truth_grid.hpp"
 #include "simworld/vehicles/multirotor.hpp"
 
 namespace skein {
@@ -23,11 +30,13 @@ namespace skein {
 enum class VehicleStatus : std::uint8_t {
   Flying = 1,
   Arrived = 2,
-  Missed = 3,    ///< its agent flew its path to the end, but not through the slot
-  Removed = 4,   ///< its agent was lost, and the vehicle taken away
-  Adrift = 5,    ///< its agent was lost, and the vehicle goes straight on
-  Hovering = 6,  ///< its agent was lost, and the vehicle waits about where it is
-  Rejoined = 7,  ///< its agent came back and flies it, without a plan so far
+  Missed = 3,       ///< its agent flew its path to the end, but not through the slot
+  Removed = 4,      ///< its agent was lost, and the vehicle taken away
+  Adrift = 5,       ///< its agent was lost, and the vehicle goes straight on
+  Hovering = 6,     ///< its agent was lost, and the vehicle waits about where it is
+  Rejoined = 7,     ///< its agent came back and flies it, without a plan so far
+  Unreachable = 8,  ///< its agent says that no way leads to its goal
+  Deadlock = 9,     ///< its agent says that it cannot get past the others
 };
 
 [[nodiscard]] std::string_view name_of(VehicleStatus status);
@@ -43,6 +52,8 @@ struct VehicleRecord {
   Vec3 turn = Vec3::Zero();        ///< of the step before: axis times angle (rad)
   std::uint32_t arrival_step = 0;  ///< 0: not arrived
   double arrival_time_s = 0.0;
+  double heading_rad = 0.0;  ///< of its last motion; kept while it stands or climbs straight up
+  bool landed = false;       ///< at the goal of a transit: it stands, and meets nobody
 };
 
 /// How close two vehicles came while both were in the air, by the centres, continuous between steps.
@@ -59,26 +70,32 @@ struct VehicleCommand {
   bool path_flown = false;  ///< the agent says that its path is flown to the end
 };
 
-enum class ContactKind : std::uint8_t { Vehicles, VehicleObstacle, NearMiss, NoFly, Terrain };
+enum class ContactKind : std::uint8_t { Vehicles, VehicleObstacle, NearMiss, NoFly, Terrain, Hidden };
 
 /// A stretch of steps in which two things were too close, counted once, at its first step.
 struct Contact {
   ContactKind kind = ContactKind::Vehicles;
   std::uint32_t step = 0;
   AgentId vehicle = 0;
-  std::uint32_t other = 0;  ///< the other vehicle's id, or the zone's index in the mission; 0 for the terrain
+  std::uint32_t other = 0;  ///< the other vehicle's id, or the index of zone or hidden obstacle; 0 for the terrain
   double distance_m = 0.0;  ///< between centres, or from centre to the surface of zone or terrain
 };
 
 class World {
  public:
+  /// @param hidden of a transit: the obstacles that agents are not told of
   /// @throws std::invalid_argument if the mission has no vehicles or a step is not positive.
-  World(const Mission& mission, OnAgentLoss on_agent_loss);
+  World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obstacle> hidden = {});
 
   /// The vehicle's agent is gone. Before the flight, and with OnAgentLoss::Remove, the vehicle is taken away.
   void lose_agent(AgentId id);
   /// The vehicle's agent came back: it takes over a vehicle that is adrift. Others stay as they are.
   void return_agent(AgentId id);
+
+  /// Of a transit: the vehicle's agent has given up (Unreachable or Deadlock), or takes that back (Flying). It still
+  /// obeys commands and is still in the way, and it arrives if it comes to its goal after all. Without effect on a
+  /// vehicle that arrived or whose agent was lost.
+  void note_given_up(AgentId id, NavStatus status);
 
   /// Flies step `step` (from 1). Commands by ascending id; a flying vehicle without one keeps its direction.
   void advance(std::uint32_t step, std::span<const VehicleCommand> commands);
@@ -97,6 +114,15 @@ class World {
   /// Least distance from a vehicle's body to an obstacle, no-fly zone or the terrain (a lower bound) so far; negative
   /// inside.
   [[nodiscard]] std::optional<double> min_clearance_m() const { return min_clearance_m_; }
+  [[nodiscard]] const std::vector<Obstacle>& hidden() const { return hidden_; }
+  /// Which cells are occupied; nothing if the mission is no transit.
+  [[nodiscard]] const TruthGrid* truth() const { return truth_ ? &*truth_ : nullptr; }
+  /// What the vehicle's sensor sees as step `step` (from 1) opens; empty if it does not look then, landed or is gone.
+  /// @pre the mission is a transit
+  [[nodiscard]] SeenWindow look_of(AgentId id, std::uint32_t step) const;
+  /// By vehicle, the shortest way from start to goal with full knowledge (simworld/sensing/shortest_paths.hpp); empty
+  /// if the mission is no transit.
+  [[nodiscard]] std::vector<std::optional<double>> shortest_paths_m() const;
   void add_to(StateHash& hash) const;
 
  private:
@@ -104,8 +130,10 @@ class World {
   [[nodiscard]] bool in_the_air(std::size_t i) const;
   void move(std::size_t i, std::uint32_t step, const VehicleCommand* command);
   void note_arrival(std::size_t i, std::uint32_t step);
+  void land();
   void check_vehicles(std::uint32_t step);
   void check_zones(std::uint32_t step);
+  void check_hidden(std::uint32_t step);
   void check_terrain(std::uint32_t step);
   void note(bool touching, std::vector<bool>& open, std::size_t key, const Contact& contact);
 
@@ -113,6 +141,11 @@ class World {
   double arrival_radius_m_;
   std::vector<Zone> zones_;
   std::optional<Terrain> terrain_;
+  std::vector<Obstacle> hidden_;
+  std::vector<Box> hidden_bounds_;
+  std::optional<TransitMission> transit_;
+  std::optional<TruthGrid> truth_;
+  std::uint64_t seed_;
   OnAgentLoss on_agent_loss_;
   bool airborne_ = false;
   std::vector<VehicleRecord> vehicles_;
@@ -121,6 +154,7 @@ class World {
   std::vector<bool> touching_;   ///< vehicle x vehicle: bodies in contact in the last step
   std::vector<bool> near_;       ///< vehicle x vehicle: safety spheres in contact in the last step
   std::vector<bool> in_zone_;    ///< vehicle x zone
+  std::vector<bool> in_hidden_;  ///< vehicle x hidden obstacle
   std::vector<double> least_m_;  ///< vehicle x vehicle: least distance so far
   std::vector<bool> grounded_;   ///< vehicle: in contact with the terrain in the last step
   std::optional<double> min_separation_m_;

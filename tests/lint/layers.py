@@ -20,6 +20,7 @@ OWNED = (
     (r"idl/msg/\w+PubSubTypes\.h", r"(?!)", ("idl/bus",)),
     (r"fastcdr/", r"fastcdr", ("idl",)),
     (r"fcl/", r"fcl", ("simworld/collision",)),
+    (r"assimp/", r"assimp::assimp", ("simworld/collision",)),
     (r"yaml-cpp/", r"yaml-cpp.*", ("simworld/scenario",)),
     (r"nlohmann/", r"nlohmann_json.*", ("simworld", "agent", "groundstation", "idl/process")),
     (r"CLI/", r"CLI11.*", ("idl/process", "simworld", "agent", "groundstation")),

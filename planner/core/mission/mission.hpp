@@ -26,7 +26,8 @@ inline constexpr AgentId kMaxAgents = 256;
 inline constexpr AgentId kWorldId = 0;
 
 enum class MissionKind : std::uint8_t { Rendezvous = 1, Transit = 2 };
-enum class VehicleType : std::uint8_t { ConstantSpeed = 1, Multirotor = 2 };
+/// Holonomic flies any velocity up to its speed, at once (papers/004, section III).
+enum class VehicleType : std::uint8_t { ConstantSpeed = 1, Multirotor = 2, Holonomic = 3 };
 /// What becomes of the vehicle of a lost agent: taken away, straight on, or waiting about where it is.
 enum class OnAgentLoss : std::uint8_t { Remove = 1, Continue = 2, Hover = 3 };
 
@@ -39,7 +40,7 @@ struct VehicleSpec {
   Pose start;
   Vec3 slot_offset_m = Vec3::Zero();  ///< place in the formation frame: x along the formation heading
   VehicleType type = VehicleType::ConstantSpeed;
-  double speed_mps = 0.0;  ///< of a multirotor the largest
+  double speed_mps = 0.0;  ///< of a multirotor or holonomic the largest
   double max_curvature_per_m = 0.0;
   double radius_m = 0.0;                               ///< of the body: closer than the sum of two is a collision
   double safety_radius_m = 0.0;                        ///< R of Eq. 17: closer than the sum of two is a near miss

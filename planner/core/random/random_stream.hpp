@@ -21,7 +21,9 @@ enum class Purpose : std::uint32_t {
   JoinedMove = 5,   ///< a move of such a particle; index: generation * particles + particle
   JoinedAlone = 6,  ///< joined paths tried if the best particle fails the proof; index: the try
   JoinedRay = 7,    ///< directions in which joined paths of a length are looked for; index: the direction
-  RadioLoss = 20,   ///< whether a receiver misses a sample; agent: the sender, index: receiver, step and round
+  Sensor = 20,      ///< misses and false alarms of a look; index: step * 2^32 + cell
+  Layout = 21,      ///< generated scenarios, of agent 0; index: 0 a forest, 1 starts and goals
+  RadioLoss = 22,   ///< whether a receiver misses a sample; agent: the sender, index: receiver, step and round
   Test = 1000,      ///< draws of tests
 };
 
