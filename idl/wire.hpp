@@ -17,30 +17,30 @@
 namespace skein::wire {
 
 /// The version that type names carry; processes of different versions never match.
-inline constexpr std::uint32_t kWireVersion = 3;
+inline constexpr std::uint32_t kWireVersion = 4;
 
-using v3::Area;
-using v3::Beacon;
-using v3::CellBlock;
-using v3::Crossing;
-using v3::DirectedPoint;
-using v3::Ground;
-using v3::Header;
-using v3::HeardPeer;
-using v3::Lack;
-using v3::LiveAgent;
-using v3::LogMark;
-using v3::MapPatch;
-using v3::Mission;
-using v3::NextMove;
-using v3::ObstacleMap;
-using v3::Point3;
-using v3::RendezvousPlanner;
-using v3::Representative;
-using v3::Sense;
-using v3::Tick;
-using v3::TurnedAway;
-using v3::Vehicle;
+using v4::Area;
+using v4::Beacon;
+using v4::CellBlock;
+using v4::Crossing;
+using v4::DirectedPoint;
+using v4::Ground;
+using v4::Header;
+using v4::HeardPeer;
+using v4::Lack;
+using v4::LiveAgent;
+using v4::LogMark;
+using v4::MapPatch;
+using v4::Mission;
+using v4::NextMove;
+using v4::ObstacleMap;
+using v4::Point3;
+using v4::RendezvousPlanner;
+using v4::Representative;
+using v4::Sense;
+using v4::Tick;
+using v4::TurnedAway;
+using v4::Vehicle;
 
 /// Any sample of the protocol.
 using Sample = std::variant<Mission, Tick, Sense, Representative, ObstacleMap, Beacon>;

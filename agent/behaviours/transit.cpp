@@ -76,7 +76,8 @@ RoundOutput TransitBehaviour::on_round(const RoundInput& input) {
 void TransitBehaviour::listen(const RoundInput& input) {
   const RadioOptions& radio = mission_.transit->radio;
   for (const ObstacleMapSample& sample : input.maps) {
-    if (find_heard(*input.sense, sample.agent) == nullptr) continue;
+    const HeardPeer* peer = find_heard(*input.sense, sample.agent);
+    if (peer == nullptr || !in_range(radio, peer->position_m, input.sense->pose.position_m)) continue;
     if (is_lost(radio, mission_.seed, sample.agent, self_, input.tick.step - 1, sample.round)) continue;
     receiver_.receive(sample, latency_of(radio));
   }
@@ -128,6 +129,7 @@ std::vector<gridnav::Neighbour> TransitBehaviour::neighbours(const Sense& sense,
 std::vector<MapPeer> TransitBehaviour::peers_in_reach(const Sense& sense) const {
   std::vector<MapPeer> peers;
   for (const HeardPeer& peer : sense.heard) {
+    if (!in_range(mission_.transit->radio, peer.position_m, sense.pose.position_m)) continue;
     peers.push_back({peer.agent, peer.position_m, mission_.transit->goals_m[rank_of(mission_, peer.agent)]});
   }
   return peers;

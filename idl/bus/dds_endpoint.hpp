@@ -29,33 +29,33 @@ template <typename Sample>
 struct Carried;
 template <>
 struct Carried<wire::Mission> {
-  using Type = v3::MissionPubSubType;
+  using Type = v4::MissionPubSubType;
   static constexpr TopicId kTopic = TopicId::Mission;
 };
 template <>
 struct Carried<wire::Tick> {
-  using Type = v3::TickPubSubType;
+  using Type = v4::TickPubSubType;
   static constexpr TopicId kTopic = TopicId::Tick;
 };
 template <>
 struct Carried<wire::Sense> {
-  using Type = v3::SensePubSubType;
+  using Type = v4::SensePubSubType;
   static constexpr TopicId kTopic = TopicId::Sense;
 };
 template <>
 struct Carried<wire::Beacon> {
-  using Type = v3::BeaconPubSubType;
+  using Type = v4::BeaconPubSubType;
   static constexpr TopicId kTopic = TopicId::Beacon;
 };
 template <>
 struct Carried<wire::Representative> {
-  using Type = v3::RepresentativePubSubType;
+  using Type = v4::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
 };
 
 template <>
 struct Carried<wire::ObstacleMap> {
-  using Type = v3::ObstacleMapPubSubType;
+  using Type = v4::ObstacleMapPubSubType;
   static constexpr TopicId kTopic = TopicId::ObstacleMap;
 };
 

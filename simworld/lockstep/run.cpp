@@ -30,6 +30,11 @@ const Beacon* own_beacon(const Barrier& answers, const RosterEntry& entry) {
   return own ? &*answer->beacon : nullptr;
 }
 
+NavStatus given_up(AgentMode mode) {
+  if (mode == AgentMode::Unreachable) return NavStatus::Unreachable;
+  return mode == AgentMode::Deadlock ? NavStatus::Deadlock : NavStatus::Flying;
+}
+
 /// A beacon of a failed agent may name another one: the peer of its separation, or the agent whose constraint fails.
 std::string planning_failure(const Barrier& answers, const Beacon& first) {
   const Answer* other = answers.answer_of(first.constraint_peer);
@@ -52,6 +57,7 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
       world_(mission, options.on_agent_loss, options.hidden),
       hash_(mission_hash(mission)) {
   for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({.agent = vehicle.id});
+  if (mission.transit) radio_.emplace(mission);
 }
 
 Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost, std::span<const RosterEntry> back) {
@@ -173,16 +179,31 @@ void Run::decide_flight(const Barrier& answers) {
   for (const RosterEntry& entry : roster_) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
     commands.push_back({entry.agent, beacon.commanded_velocity_mps, beacon.mode == AgentMode::Arrived});
+    if (mission_.transit) world_.note_given_up(entry.agent, given_up(beacon.mode));
   }
   world_.advance(step_, commands);
+  if (radio_) log_radio(answers);
   steps_flown_ = step_;
-  if (world_.all_ended()) {
+  ended_steps_ = world_.all_ended() ? ended_steps_ + 1 : 0;
+  if (ended_steps_ > options_.extra_steps) {
     finish("");
   } else if (step_ >= options_.max_steps) {
     finish(fmt::format("the flight did not end within world.max_steps = {} steps", options_.max_steps));
   } else {
     ++step_;
   }
+}
+
+void Run::log_radio(const Barrier& answers) {
+  std::vector<OnAir> agents;
+  for (const RosterEntry& entry : roster_) {
+    const Answer* answer = answers.answer_of(entry.agent);
+    if (answer->beacon->mode == AgentMode::Rejoined) continue;
+    const bool sent = answer->beacon->obstacle_map && answer->obstacle_map;
+    agents.push_back({entry.agent, world_.vehicle(entry.agent).state.position_m,
+                      sent ? &*answer->obstacle_map : nullptr, answer->beacon->map_hash});
+  }
+  radio_->add(step_, round_, agents);
 }
 
 void Run::fold_hash(const Barrier& answers) {
@@ -210,7 +231,25 @@ Sense Run::sense_of(const RosterEntry& entry) const {
   sense.round = round_;
   sense.pose = pose_of(vehicle.state);
   sense.velocity_mps = vehicle.state.velocity_mps;
+  if (mission_.transit) {
+    sense.heard = heard_by(vehicle);
+    sense.sight = world_.look_of(entry.agent, step_);
+  }
   return sense;
+}
+
+/// Whose agent is live says over the radio where it is; who has none is seen by the sensor.
+std::vector<HeardPeer> Run::heard_by(const VehicleRecord& vehicle) const {
+  std::vector<HeardPeer> heard;
+  for (const VehicleRecord& other : world_.vehicles()) {
+    if (other.spec.id == vehicle.spec.id || other.status == VehicleStatus::Removed) continue;
+    const bool live = std::ranges::find(roster_, other.spec.id, &RosterEntry::agent) != roster_.end();
+    const TransitMission& transit = *mission_.transit;
+    const double range_m = live ? std::max(transit.radio.range_m, transit.sensor.range_m) : transit.sensor.range_m;
+    if ((other.state.position_m - vehicle.state.position_m).norm() > range_m) continue;
+    heard.push_back({other.spec.id, other.state.position_m, other.state.velocity_mps, other.landed});
+  }
+  return heard;
 }
 
 Tick Run::compose(const Barrier* answers) const {

@@ -15,6 +15,7 @@
 
 #include "planner/core/lockstep/samples.hpp"
 #include "simworld/lockstep/barrier.hpp"
+#include "simworld/lockstep/radio_log.hpp"
 #include "simworld/scenario/scenario.hpp"
 #include "simworld/world/world.hpp"
 
@@ -87,6 +88,8 @@ class Run {
   /// Largest difference (m) of the lengths that the swarm set out to fly; nothing if planning did not end in a plan.
   [[nodiscard]] std::optional<double> plan_spread_m() const { return plan_spread_m_; }
   [[nodiscard]] const World& world() const { return world_; }
+  /// What the radio carried; nothing if the mission is no transit.
+  [[nodiscard]] const RadioLog* radio() const { return radio_ ? &*radio_ : nullptr; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
   /// What the run came to. @pre finished().
   [[nodiscard]] Verdict verdict() const;
@@ -97,6 +100,8 @@ class Run {
   void date_changes(std::size_t known);
   void decide_planning(const Barrier& answers);
   void decide_flight(const Barrier& answers);
+  void log_radio(const Barrier& answers);
+  [[nodiscard]] std::vector<HeardPeer> heard_by(const VehicleRecord& vehicle) const;
   void note_plan(const Barrier& answers);
   void note_spread(const Barrier& answers);
   void fold_hash(const Barrier& answers);
@@ -109,11 +114,13 @@ class Run {
   WorldOptions options_;
   bool fail_fast_;
   World world_;
+  std::optional<RadioLog> radio_;
   Phase phase_ = Phase::Waiting;
   std::uint32_t step_ = 0;
   std::uint32_t round_ = 0;
   std::uint32_t planning_rounds_ = 0;
   std::uint32_t steps_flown_ = 0;
+  std::uint32_t ended_steps_ = 0;  ///< since nobody is on the way any more
   std::uint64_t hash_;
   std::vector<RosterEntry> roster_;
   std::vector<RosterChange> changes_;

@@ -99,6 +99,32 @@ Json topics_of(const TopicCounts& counts) {
           {"obstacle_map", entry(counts.obstacle_map)}};
 }
 
+/// Of each link what was heard and lost; how full the fullest slot was; groups out of each other's reach; the maps.
+void add_radio(Json& report, const RadioLog& log) {
+  Json links = Json::array();
+  for (const auto& [ends, count] : log.counts().links()) {
+    links.push_back({{"from", ends.first},
+                     {"to", ends.second},
+                     {"samples", count.samples},
+                     {"bytes", count.bytes},
+                     {"lost", count.lost},
+                     {"age_p50", count.age_quantile(0.5)},
+                     {"age_p95", count.age_quantile(0.95)}});
+  }
+  report["radio"] = {{"sent_bytes", log.sent_bytes()},
+                     {"slot_bits", log.slot_bits()},
+                     {"peak_slot_bits", log.peak_bits()},
+                     {"over_budget", log.over_budget()},
+                     {"links", links}};
+  Json changes = Json::array();
+  for (const PartitionChange& change : log.partitions()) {
+    changes.push_back({{"step", change.step}, {"groups", change.groups}});
+  }
+  report["partitions"] = changes;
+  report["map_equal"] = log.equal_since().has_value();
+  report["map_equal_since_step"] = or_null(log.equal_since());
+}
+
 /// A whole number of `least` or more. @throws std::runtime_error
 std::uint32_t whole(const nlohmann::json& item, const char* key, std::uint64_t least) {
   const nlohmann::json& value = item.at(key);
@@ -156,6 +182,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["min_clearance_m"] = or_null(world.min_clearance_m());
   report["separations"] = separations_of(world);
   report["vehicles"] = vehicles_of(run);
+  if (run.radio() != nullptr) add_radio(report, *run.radio());
   report["roster_changes"] = changes_of(run);
   report["discovery_s"] = span_s(times.created_s, times.started_s);
   report["plan_s"] = plan_s;

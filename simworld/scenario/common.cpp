@@ -11,7 +11,7 @@ constexpr Keys kCylinder[] = {"x_m", "y_m", "radius_m", "z_min_m", "z_max_m"};
 constexpr Keys kBox[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m", "z_max_m"};
 constexpr Keys kTerrain[] = {"a", "b", "c", "d", "e", "f", "g", "h", "l"};
 constexpr Keys kLockstep[] = {"deadline_s"};
-constexpr Keys kWorld[] = {"max_steps", "max_rounds"};
+constexpr Keys kWorld[] = {"max_steps", "max_rounds", "extra_steps"};
 
 constexpr std::uint64_t kMostSteps = 10'000'000;
 
@@ -108,6 +108,7 @@ void read_lockstep_and_world(const MapReader& root, Scenario& into) {
   const MapReader lockstep = root.map("lockstep", kLockstep, false);
   const MapReader world = root.map("world", kWorld, false);
   into.lockstep.deadline_s = lockstep.number("deadline_s", {0.1, 3600, "s"}, into.lockstep.deadline_s);
+  into.world.extra_steps = static_cast<std::uint32_t>(world.whole("extra_steps", 0, kMostSteps, 0));
   into.world.max_steps = static_cast<std::uint32_t>(world.whole("max_steps", 1, kMostSteps, into.world.max_steps));
   into.world.max_rounds = static_cast<std::uint32_t>(world.whole("max_rounds", 1, kMostSteps, into.world.max_rounds));
 }

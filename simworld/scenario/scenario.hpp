@@ -41,8 +41,9 @@ struct LockstepOptions {
 };
 
 struct WorldOptions {
-  std::uint32_t max_steps = 100'000;                ///< flight steps after which a run is given up, 1 to 10 million
-  std::uint32_t max_rounds = 100'000;               ///< planning rounds after which a run is given up, 1 to 10 million
+  std::uint32_t max_steps = 100'000;   ///< flight steps after which a run is given up, 1 to 10 million
+  std::uint32_t max_rounds = 100'000;  ///< planning rounds after which a run is given up, 1 to 10 million
+  std::uint32_t extra_steps = 0;       ///< flight steps after nobody is on the way any more, 0 to 10 million
   OnAgentLoss on_agent_loss = OnAgentLoss::Remove;  ///< what becomes of a lost agent's vehicle
   std::vector<Obstacle> hidden;                     ///< of a transit: what agents are not told of
 

@@ -42,18 +42,14 @@ double distance_to(const Box& box, const Vec3& p) {
 }
 
 /// The window of cells that the range can reach.
-SeenWindow window_around(const CellGrid& grid, const Vec3& at_m, double range_m) {
+CellWindow window_around(const CellGrid& grid, const Vec3& at_m, double range_m) {
   const Vec3 reach = Vec3::Constant(range_m);
   const Cell low = grid.cell_of(at_m - reach);
   const Cell high = grid.cell_of(at_m + reach);
-  SeenWindow window;
-  window.low = {std::max(low.i, 0), std::max(low.j, 0), std::max(low.k, 0)};
-  window.size = {std::min(high.i, grid.nx - 1) - window.low.i + 1, std::min(high.j, grid.ny - 1) - window.low.j + 1,
-                 std::min(high.k, grid.nz - 1) - window.low.k + 1};
-  if (std::ranges::any_of(window.size, [](std::int32_t n) { return n <= 0; })) return {};
-  window.cells.resize(static_cast<std::size_t>(window.size[0]) * static_cast<std::size_t>(window.size[1]) *
-                      static_cast<std::size_t>(window.size[2]));
-  return window;
+  const Cell first{std::max(low.i, 0), std::max(low.j, 0), std::max(low.k, 0)};
+  const Cell last{std::min(high.i, grid.nx - 1), std::min(high.j, grid.ny - 1), std::min(high.k, grid.nz - 1)};
+  if (last.i < first.i || last.j < first.j || last.k < first.k) return {};
+  return CellWindow::of(first, last.i - first.i + 1, last.j - first.j + 1, last.k - first.k + 1);
 }
 
 /// What a look makes of a cell that it sees.
@@ -116,17 +112,12 @@ bool looks_at(std::uint32_t step, double step_s, double period_s) {
   return std::floor(now + kOnTime) > std::floor(before + kOnTime);
 }
 
-SeenWindow look(const TruthGrid& truth, const SensorOptions& options, std::uint64_t seed, const Look& from) {
-  SeenWindow window = window_around(truth.grid(), from.position_m, options.range_m);
+CellWindow look(const TruthGrid& truth, const SensorOptions& options, std::uint64_t seed, const Look& from) {
+  CellWindow window = window_around(truth.grid(), from.position_m, options.range_m);
   const Observer observer(truth, options, seed, from);
-  auto state = window.cells.begin();
-  for (std::int32_t k = 0; k < window.size[2]; ++k) {
-    for (std::int32_t j = 0; j < window.size[1]; ++j) {
-      for (std::int32_t i = 0; i < window.size[0]; ++i, ++state) {
-        const Cell cell{window.low.i + i, window.low.j + j, window.low.k + k};
-        if (observer.sees(cell)) *state = observer.report(cell);
-      }
-    }
+  for (std::size_t n = 0; n < window.size(); ++n) {
+    const Cell cell = window.cell(n);
+    if (observer.sees(cell)) window.set(n, observer.report(cell));
   }
   return window;
 }

@@ -13,7 +13,7 @@
 
 #include <cstdint>
 
-#include "planner/core/lockstep/seen_window.hpp"
+#include "planner/core/cells/cell_window.hpp"
 #include "simworld/sensing/truth_grid.hpp"
 
 namespace skein {
@@ -31,7 +31,7 @@ struct Look {
 [[nodiscard]] bool looks_at(std::uint32_t step, double step_s, double period_s);
 
 /// What the sensor reports; an empty window if no cell is within range.
-[[nodiscard]] SeenWindow look(const TruthGrid& truth, const SensorOptions& options, std::uint64_t seed,
+[[nodiscard]] CellWindow look(const TruthGrid& truth, const SensorOptions& options, std::uint64_t seed,
                               const Look& from);
 
 }  // namespace skein

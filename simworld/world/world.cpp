@@ -211,7 +211,7 @@ bool World::all_ended() const {
   return std::ranges::none_of(vehicles_, [](const auto& v) { return v.status == VehicleStatus::Flying; });
 }
 
-SeenWindow World::look_of(AgentId id, std::uint32_t step) const {
+CellWindow World::look_of(AgentId id, std::uint32_t step) const {
   const std::size_t i = index_of(id);
   const SensorOptions& sensor = transit_.value().sensor;
   if (!in_the_air(i) || !looks_at(step, step_s_, sensor.period_s)) return {};

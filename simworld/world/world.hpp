@@ -18,8 +18,8 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/core/cells/cell_window.hpp"
 #include "planner/core/lockstep/map_sample.hpp"
-#include "planner/core/lockstep/seen_window.hpp"
 #include "planner/core/mission/mission.hpp"
 #include "simworld/collision/obstacle.hpp"
 #include "simworld/sensing/truth_grid.hpp"
@@ -119,7 +119,7 @@ class World {
   [[nodiscard]] const TruthGrid* truth() const { return truth_ ? &*truth_ : nullptr; }
   /// What the vehicle's sensor sees as step `step` (from 1) opens; empty if it does not look then, landed or is gone.
   /// @pre the mission is a transit
-  [[nodiscard]] SeenWindow look_of(AgentId id, std::uint32_t step) const;
+  [[nodiscard]] CellWindow look_of(AgentId id, std::uint32_t step) const;
   /// By vehicle, the shortest way from start to goal with full knowledge (simworld/sensing/shortest_paths.hpp); empty
   /// if the mission is no transit.
   [[nodiscard]] std::vector<std::optional<double>> shortest_paths_m() const;

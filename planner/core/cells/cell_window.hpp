@@ -39,6 +39,13 @@ struct CellWindow {
     const unsigned cleared = packed[n / 4] & ~(3U << shift);
     packed[n / 4] = static_cast<std::uint8_t>(cleared | (static_cast<unsigned>(state) << shift));
   }
+  /// What was seen of a cell of the grid; Unknown outside the window.
+  [[nodiscard]] CellState at(const Cell& c) const {
+    const Cell d{c.i - low.i, c.j - low.j, c.k - low.k};
+    if (d.i < 0 || d.j < 0 || d.k < 0 || d.i >= ni || d.j >= nj || d.k >= nk) return CellState::Unknown;
+    return at(static_cast<std::size_t>((d.k * nj + d.j) * ni + d.i));
+  }
+  [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] Cell cell(std::size_t n) const {
     const auto place = static_cast<std::int32_t>(n);
     return {low.i + place % ni, low.j + place / ni % nj, low.k + place / (ni * nj)};

@@ -26,7 +26,7 @@ Look from(double x_m, double y_m, double heading_rad = 0.0) {
 }
 
 /// The rows of what was seen, northernmost first: '.', '#', and '?' for what was not.
-std::vector<std::string> drawn(const TruthGrid& truth, const SeenWindow& seen) {
+std::vector<std::string> drawn(const TruthGrid& truth, const CellWindow& seen) {
   std::vector<std::string> rows;
   for (std::int32_t j = truth.grid().ny - 1; j >= 0; --j) {
     std::string& row = rows.emplace_back();
@@ -84,7 +84,7 @@ TEST(Sensor, TheVerticalFieldOfViewIsAboutTheHorizontal) {
   const TruthGrid truth(CellGrid{Vec3::Zero(), 1.0, 1.0, 5, 1, 5}, {});
   SensorOptions options = reaching(9);
   options.vertical_fov_rad = math::kPi / 2;
-  const SeenWindow seen = look(truth, options, 1, {1, 1, Vec3(2.5, 0.5, 2.5), 0.0});
+  const CellWindow seen = look(truth, options, 1, {1, 1, Vec3(2.5, 0.5, 2.5), 0.0});
   EXPECT_EQ(seen.at({2, 0, 3}), kUnknown);
   EXPECT_EQ(seen.at({3, 0, 3}), kFree);
   EXPECT_EQ(seen.at({3, 0, 4}), kUnknown);
@@ -94,7 +94,7 @@ TEST(Sensor, TheVerticalFieldOfViewIsAboutTheHorizontal) {
 TEST(Sensor, OutsideItsRangeThereIsNoWindow) {
   const TruthGrid truth = field({"...", "...", "..."});
   EXPECT_TRUE(look(truth, reaching(2), 1, from(9.0, 0.5)).empty());
-  EXPECT_EQ(SeenWindow{}.at({0, 0, 0}), kUnknown);
+  EXPECT_EQ(CellWindow{}.at({0, 0, 0}), kUnknown);
 }
 
 TEST(Sensor, LooksOnceAPeriod) {
@@ -120,20 +120,20 @@ TEST(SensorFaults, HaveTheirRatesAndNeverTakeAnObstacleForFree) {
   int seen = 0, missed = 0, clear = 0, alarms = 0;
   for (std::uint32_t step = 1; step <= 50; ++step) {
     Look at{4, step, truth.grid().centre_m({20, 20, 0}), 0.0};
-    const SeenWindow good = look(truth, reaching(200), 9, at);
-    const SeenWindow bad = look(truth, options, 9, at);
-    for (std::size_t c = 0; c < good.cells.size(); ++c) {
-      if (good.cells[c] == kUnknown) {
-        EXPECT_EQ(bad.cells[c], kUnknown);
+    const CellWindow good = look(truth, reaching(200), 9, at);
+    const CellWindow bad = look(truth, options, 9, at);
+    for (std::size_t c = 0; c < good.size(); ++c) {
+      if (good.at(c) == kUnknown) {
+        EXPECT_EQ(bad.at(c), kUnknown);
         continue;
       }
       ++seen;
-      missed += bad.cells[c] == kUnknown ? 1 : 0;
-      if (good.cells[c] == kOccupied) {
-        EXPECT_NE(bad.cells[c], kFree);
-      } else if (bad.cells[c] != kUnknown) {
+      missed += bad.at(c) == kUnknown ? 1 : 0;
+      if (good.at(c) == kOccupied) {
+        EXPECT_NE(bad.at(c), kFree);
+      } else if (bad.at(c) != kUnknown) {
         ++clear;
-        alarms += bad.cells[c] == kOccupied ? 1 : 0;
+        alarms += bad.at(c) == kOccupied ? 1 : 0;
       }
     }
   }
@@ -157,7 +157,7 @@ TEST(SensorFaults, DependOnSeedAgentAndStepAlone) {
   SensorOptions options = reaching(30);
   options.miss = 0.3;
   const Look here{3, 17, truth.grid().centre_m({15, 15, 0}), 0.0};
-  const SeenWindow first = look(truth, options, 8, here);
+  const CellWindow first = look(truth, options, 8, here);
   EXPECT_EQ(look(truth, options, 8, here), first);
   EXPECT_NE(look(truth, options, 9, here), first);
   EXPECT_NE(look(truth, options, 8, {4, 17, here.position_m, 0.0}), first);

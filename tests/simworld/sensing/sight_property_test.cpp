@@ -66,7 +66,7 @@ TEST_P(Sight, ReportsWhatIsThereAndWithinRangeAndInSight) {
     Case test = random_case(seed, GetParam());
     const CellGrid& grid = test.truth.grid();
     if (grid.nz == 1) test.from.position_m.z() = grid.centre_m({0, 0, 0}).z();
-    const SeenWindow window = look(test.truth, test.options, seed, test.from);
+    const CellWindow window = look(test.truth, test.options, seed, test.from);
     for (CellIndex index = 0; index < grid.size(); ++index) {
       const Cell cell = grid.cell_at(index);
       const CellState state = window.at(cell);
@@ -88,7 +88,7 @@ TEST_P(Sight, KnowsEveryCellToWhichItMayMove) {
   for (std::uint64_t seed = 100; seed < 300; ++seed) {
     Case test = random_case(seed, GetParam());
     test.options.range_m = 3.0;  // the diagonal of a cell
-    const SeenWindow window = look(test.truth, test.options, seed, test.from);
+    const CellWindow window = look(test.truth, test.options, seed, test.from);
     const Cell own = test.truth.grid().cell_of(test.from.position_m);
     EXPECT_EQ(window.at(own), CellState::Free);
     for (int n = 0; n < 27; ++n) {
@@ -105,7 +105,7 @@ TEST_P(Sight, OfAnEmptySpaceEverythingWithinRangeIsSeen) {
     Case test = random_case(seed, GetParam());
     const TruthGrid empty(test.truth.grid(), {});
     if (empty.grid().nz == 1) test.from.position_m.z() = empty.grid().centre_m({0, 0, 0}).z();
-    const SeenWindow window = look(empty, test.options, seed, test.from);
+    const CellWindow window = look(empty, test.options, seed, test.from);
     for (CellIndex index = 0; index < empty.grid().size(); ++index) {
       const Cell cell = empty.grid().cell_at(index);
       const Box box = empty.grid().box_of(cell);
@@ -127,7 +127,7 @@ TEST_P(Sight, BehindAClosedRoomNothingIsSeen) {
     const TruthGrid truth(grid, walls);
     SensorOptions options;
     options.range_m = 50;
-    const SeenWindow window = look(truth, options, 1, {1, 1, grid.centre_m({6, 6, 0}), 0.0});
+    const CellWindow window = look(truth, options, 1, {1, 1, grid.centre_m({6, 6, 0}), 0.0});
     for (CellIndex index = 0; index < grid.size(); ++index) {
       const Cell cell = grid.cell_at(index);
       if (outside(cell) > 0) {

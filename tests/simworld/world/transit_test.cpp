@@ -111,7 +111,7 @@ TEST(TransitWorld, LooksFromWhereItsVehiclesAre) {
   Mission mission = transit_of({crosser(1, kWest)}, {kEast});
   mission.transit->sensor.period_s = 2.0;
   World world(mission, OnAgentLoss::Remove, hidden);
-  const SeenWindow seen = world.look_of(1, 1);
+  const CellWindow seen = world.look_of(1, 1);
   EXPECT_EQ(seen.at({4, 4, 0}), CellState::Occupied);
   EXPECT_EQ(seen.at({3, 4, 0}), CellState::Free);
   EXPECT_EQ(seen.at({5, 4, 0}), CellState::Unknown);
