@@ -11,8 +11,10 @@ std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self) 
   switch (mission.kind) {
     case MissionKind::Rendezvous:
       return std::make_unique<RendezvousBehaviour>(mission, self);
+    case MissionKind::Transit:
+      break;
   }
-  throw std::invalid_argument("unknown mission kind");
+  throw std::invalid_argument("no behaviour is for this kind of mission");
 }
 
 std::unique_ptr<Behaviour> make_rejoined_behaviour() {
