@@ -15,7 +15,7 @@ std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self) 
     case MissionKind::Transit:
       return std::make_unique<TransitBehaviour>(mission, self);
   }
-  throw std::invalid_argument("unknown mission kind");
+  throw std::invalid_argument("no behaviour is for this kind of mission");
 }
 
 std::unique_ptr<Behaviour> make_rejoined_behaviour() {

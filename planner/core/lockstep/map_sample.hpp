@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planner/core/cells/cell_grid.hpp"
+#include "planner/core/hash/state_hash.hpp"
 #include "planner/core/mission/mission.hpp"
 
 namespace skein {
@@ -66,6 +67,20 @@ struct ObstacleMapSample {
 
   bool operator==(const ObstacleMapSample&) const = default;
 };
+
+/// Of everything in a sample but who sent it and when.
+inline void add_to(StateHash& hash, const ObstacleMapSample& sample) {
+  const Intent& intent = sample.intent;
+  hash.add(intent.decision).add(intent.from_m).add(intent.to_m).add(intent.waited).add(intent.to_go_m);
+  hash.add(intent.status).add(intent.asks).add(intent.on_behalf_of);
+  for (const CellIndex cell : intent.next_cells) hash.add(cell);
+  hash.add(sample.seen.size());
+  for (const Seen& seen : sample.seen) hash.add(seen.agent).add(seen.version).add(seen.digest);
+  hash.add(sample.tiles.size());
+  for (const MapTile& tile : sample.tiles) {
+    hash.add(tile.origin).add(tile.tile).add(tile.epoch).add(tile.version).add(tile.cells[0]).add(tile.cells[1]);
+  }
+}
 
 // What a sample may hold at most: within one datagram.
 inline constexpr std::size_t kMaxSeen = kMaxAgents;

@@ -94,8 +94,8 @@ std::vector<ObstacleMap::Candidate> ObstacleMap::lacked(const MapRequest& reques
   return candidates;
 }
 
-/// Its own entry (alone it takes its turn), then those that changed since they were last told, then, in a quarter of the room at least, all
-/// others in turn.
+/// Its own entry (alone it takes its turn), then those that changed since they were last told, then, in a quarter of
+/// the room at least, all others in turn.
 std::vector<Seen> ObstacleMap::tell_vector(std::size_t count) {
   const std::size_t n = ids_.size();
   std::vector<bool> is_told(n, false);
