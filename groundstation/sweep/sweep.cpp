@@ -19,6 +19,13 @@ struct Job {
   std::uint64_t seed = 0;
 };
 
+/// What the seed draws is drawn again for each run.
+Scenario reseeded(const Scenario& scenario, std::uint64_t seed) {
+  ScenarioResult result = with_seed(scenario, seed);
+  if (const auto* fault = std::get_if<ScenarioFault>(&result)) throw std::invalid_argument(fault->line());
+  return std::get<Scenario>(std::move(result));
+}
+
 Scenario load(const SweepPlan& plan, const std::vector<Override>& set, std::uint64_t seed) {
   ScenarioResult result = load_scenario(plan.scenario, set, seed);
   if (const auto* fault = std::get_if<ScenarioFault>(&result)) throw std::invalid_argument(fault->line());
@@ -138,8 +145,7 @@ SweepResult run_sweep(const SweepPlan& plan) {
   const auto work = [&] {
     for (std::size_t job = next++; job < total && !stopped; job = next++) {
       try {
-        Scenario scenario = scenarios[job / plan.runs];
-        scenario.mission.seed = plan.first_seed + job % plan.runs;
+        const Scenario scenario = reseeded(scenarios[job / plan.runs], plan.first_seed + job % plan.runs);
         const bool traced = !curves.empty() && job % plan.runs == 0;
         results[job / plan.runs][job % plan.runs] = run_of(
             scenario, traced ? run_with_curves(scenario, curves[job / plan.runs]) : run_in_process(scenario, {}));

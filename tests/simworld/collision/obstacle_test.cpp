@@ -61,9 +61,8 @@ TEST(Obstacle, AMotionKeepsItsDistanceFromEveryShape) {
 
 TEST(Obstacle, BoundsHoldTheShapeAndTellAtMostItsDistance) {
   const Motion motion = straight(Vec3(0, 2, 2), Vec3(8, 2, 2));
-  for (const Obstacle& obstacle :
-       {Obstacle{Sphere{Vec3(4, 7, 2), 2.0}, ""}, Obstacle{Cylinder{Vec2(14, 7), 2.0}, ""},
-        Obstacle{Box{Vec3(9, 0, 5), Vec3(12, 4, 9)}, ""}, Obstacle{wall(), ""}}) {
+  for (const Obstacle& obstacle : {Obstacle{Sphere{Vec3(4, 7, 2), 2.0}, ""}, Obstacle{Cylinder{Vec2(14, 7), 2.0}, ""},
+                                   Obstacle{Box{Vec3(9, 0, 5), Vec3(12, 4, 9)}, ""}, Obstacle{wall(), ""}}) {
     EXPECT_LE(least_clearance_m(motion, bounds_of(obstacle)), clearance_m(motion, obstacle) + 1e-9);
   }
   EXPECT_EQ(bounds_of({Sphere{Vec3(4, 7, 2), 2.0}, ""}), (Box{Vec3(2, 5, 0), Vec3(6, 9, 4)}));

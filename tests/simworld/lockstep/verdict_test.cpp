@@ -5,6 +5,7 @@
 
 #include "tests/simworld/lockstep/rounds.hpp"
 #include "tests/simworld/missions.hpp"
+#include "tests/simworld/transits.hpp"
 
 namespace skein {
 namespace {
@@ -155,6 +156,35 @@ TEST(Verdict, FailFastEndsAtTheFirstLoss) {
   EXPECT_EQ(flight.tick.phase, Phase::Finished);
   EXPECT_EQ(flight.run.verdict().code, ExitCode::AgentLost);
   EXPECT_NE(flight.run.verdict().reason.find("ended at the first loss"), std::string::npos);
+}
+
+/// A transit of two, 20 m from their goals, that fly east at 10 m/s.
+Verdict verdict_of_transit(const std::vector<Obstacle>& hidden, std::uint32_t max_steps) {
+  const Vec3 east(20, 0, 0);
+  const Mission mission = test::transit_of({test::crosser(1, Vec3(6, 6, 6)), test::crosser(2, Vec3(6, 18, 6))},
+                                           {Vec3(6, 6, 6) + east, Vec3(6, 18, 6) + east});
+  WorldOptions options;
+  options.max_steps = max_steps;
+  options.hidden = hidden;
+  Flight flight(mission, options);
+  while (!flight.run.finished()) {
+    const auto go_east = [](Beacon& beacon) { beacon.commanded_velocity_mps = Vec3(10, 0, 0); };
+    flight.tick = decide(flight.run, flight.tick, AgentMode::Flying, {}, go_east);
+  }
+  return flight.run.verdict();
+}
+
+TEST(Verdict, OfATransitEverybodyArrivesInAnyOrder) {
+  const Verdict verdict = verdict_of_transit({}, 10);
+  EXPECT_EQ(verdict.code, ExitCode::Success);
+  EXPECT_EQ(verdict.reason, "all vehicles arrived");
+  EXPECT_EQ(verdict_of_transit({}, 1).code, ExitCode::Failed);
+}
+
+TEST(Verdict, OfATransitNamesTheHiddenObstacleThatWasHit) {
+  const Verdict verdict = verdict_of_transit({{Cylinder{Vec2(14, 18), 1.0}, "forest.4"}}, 10);
+  EXPECT_EQ(verdict.code, ExitCode::Failed);
+  EXPECT_EQ(verdict.reason, "vehicle 2 touched forest.4 at step 1");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // What a transit scenario becomes, and what its example files promise: room for all, and paths to every goal.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -120,6 +121,23 @@ TEST(Transit, EveryExampleHasPathsForAllAtItsCellSizes) {
       }
     }
   }
+}
+
+template <typename Options, std::size_t N>
+void expect_rows(const std::string& page, std::string_view section, const std::array<OptionField<Options>, N>& fields) {
+  for (const OptionField<Options>& field : fields) {
+    const std::string_view unit = field.unit.empty() ? "-" : field.unit;
+    const std::string row = fmt::format("| `{}.{}` | {} | {} to {} | {} |", section, field.key, unit, field.min,
+                                        field.max, Options{}.*field.member);
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
+}
+
+TEST(Transit, ThePageNamesEveryOptionWithUnitRangeAndDefault) {
+  const std::string page = text_of(SKEIN_SOURCE_DIR "/docs/scenario.md");
+  expect_rows(page, "planner", kTransitFields);
+  expect_rows(page, "radio", kRadioFields);
+  expect_rows(page, "sensor", kSensorFields);
 }
 
 TEST(TransitDraw, FollowsTheSeedAndKeepsItsPromise) {
