@@ -222,7 +222,7 @@ VerbAction add_run_verb(CLI::App& app) {
   CLI::Option* attach = verb->add_flag("--attach", arguments->attach,
                                        "watch a run that others started, until it ends; its exit code is this one's");
   verb->get_option("SCENARIO")->required(false);
-  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--agents", "--out", "--realtime", "--fail-fast",
+  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out", "--realtime", "--fail-fast",
                            "--fault", "--in-process", "--roster", "--per-process"}) {
     attach->excludes(verb->get_option(name));
   }

@@ -46,7 +46,7 @@ void check_vehicle(Checker& check, const wire::Vehicle& vehicle) {
   check.agent(vehicle.agent(), "mission.vehicles.agent");
   check.pose(vehicle.start(), "mission.vehicles.start");
   check.position(vehicle.slot_offset_m(), "mission.vehicles.slot_offset_m");
-  check.enumerator(vehicle.kind(), VehicleType::ConstantSpeed, VehicleType::Multirotor, "mission.vehicles.kind");
+  check.enumerator(vehicle.kind(), VehicleType::ConstantSpeed, VehicleType::Holonomic, "mission.vehicles.kind");
   check.within(vehicle.speed_mps(), 0.0, limits::kSpeed_mps, "mission.vehicles.speed_mps");
   check.within(vehicle.max_curvature_per_m(), 0.0, limits::kCurvature_per_m, "mission.vehicles.max_curvature_per_m");
   check.within(vehicle.radius_m(), 0.0, limits::kPosition_m, "mission.vehicles.radius_m");

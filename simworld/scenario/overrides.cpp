@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "simworld/scenario/scenario.hpp"
+
 namespace skein::scenario {
 namespace {
 
@@ -36,6 +38,15 @@ YamlNode& entry_named(YamlNode& map, const std::string& name, const std::string&
 std::string item_name(const YamlNode& list, std::size_t index) {
   const YamlNode* id = list.children[index].find("id");
   return id != nullptr && id->kind == NodeKind::Scalar ? id->text : std::to_string(index + 1);
+}
+
+std::string key_of(const YamlNode& root, const std::string& key) {
+  if (key != kAgentsFlag && key != kControllerFlag) return key;
+  const YamlNode* kind = root.kind == NodeKind::Map ? root.find("kind") : nullptr;
+  const bool transit = kind != nullptr && kind->text == "transit";
+  if (key == kAgentsFlag) return transit ? "vehicles.agents" : "vehicles.ring.agents";
+  if (transit) return "planner.name";
+  throw ReadFault(Place{1, 1, key}, "only a transit has controllers to choose from; allowed: --planner");
 }
 
 void apply_override(YamlNode& root, const std::string& key, const std::string& value) {

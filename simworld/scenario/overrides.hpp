@@ -11,6 +11,10 @@
 
 namespace skein::scenario {
 
+/// The key that an override's stands for in this scenario: itself, unless it is that of a flag.
+/// @throws ReadFault for one that the kind does not have
+[[nodiscard]] std::string key_of(const YamlNode& root, const std::string& key);
+
 /// Sets one key of the scenario. @throws ReadFault, placed at the override
 void apply_override(YamlNode& root, const std::string& key, const std::string& value);
 

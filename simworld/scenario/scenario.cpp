@@ -63,10 +63,13 @@ ScenarioResult parse_scenario(const std::string& text, const std::string& path, 
   scenario.path = path;
   scenario.text = text;
   scenario.overrides.assign(overrides.begin(), overrides.end());
-  scenario.scenario_hash = hash_of(text, overrides);
   try {
     scenario::YamlNode root = scenario::parse_yaml(text);
-    for (const Override& change : overrides) scenario::apply_override(root, change.key, change.value);
+    for (Override& change : scenario.overrides) {
+      change.key = scenario::key_of(root, change.key);
+      scenario::apply_override(root, change.key, change.value);
+    }
+    scenario.scenario_hash = hash_of(text, scenario.overrides);
     const scenario::Places places = scenario::read_sections(root, seed, scenario);
     if (scenario.mission.transit) {
       scenario::check_transit(scenario, places);

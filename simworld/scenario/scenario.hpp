@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct Override {
   std::string key;
   std::string value;
 };
+
+/// Overrides whose key depends on the scenario's kind, as the flags of that name say them.
+inline constexpr std::string_view kAgentsFlag = "--agents";          ///< vehicles.agents, or vehicles.ring.agents
+inline constexpr std::string_view kControllerFlag = "--controller";  ///< planner.name of a transit
 
 struct LockstepOptions {
   double deadline_s = 10.0;  ///< wall time after which an agent that leaves a tick unanswered is gone, 0.1 to 3600
