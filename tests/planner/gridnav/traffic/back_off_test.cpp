@@ -64,7 +64,9 @@ TEST(BackOff, KeepsToCellsThatWereSeen) {
   KnownMap map = seen({"#####.##", "........"});
   map.set(map.grid().index_of({5, 1, 0}), CellState::Unknown);
   const std::vector<Other> others{standing(2, at(2, 0), {at(7, 0)})};
-  EXPECT_TRUE(find_back_off(map, at(3, 0), others, {true}).cells.empty());
+  const BackOff found = find_back_off(map, at(3, 0), others, {true});
+  ASSERT_FALSE(found.cells.empty());
+  EXPECT_EQ(found.cells.back(), map.grid().index_of({7, 0, 0})) << "along the way, not into the unseen bay";
 }
 
 }  // namespace
