@@ -179,7 +179,7 @@ void GoalField::repair() {
   for (const Place place : changed_) {
     dirty_[place] = 0;
     if (place == goal_) continue;
-    rhs_[place] = std::min(least(place), kInfinite);
+    rhs_[place] = blocked_[place] != 0 ? kInfinite : least(place);
     update(place);
   }
   changed_.clear();

@@ -42,13 +42,28 @@ bool off_ways(const Vec3& p, std::span<const Other> others, const std::vector<bo
   return true;
 }
 
+/// How far along the ways on which p lies somebody must come before p is in the way.
+double spared_m(const Vec3& p, std::span<const Other> others, const std::vector<bool>& way_first) {
+  double least_m = 1e9;
+  for (std::size_t n = 0; n < others.size(); ++n) {
+    if (!way_first[n]) continue;
+    const OnWay at = on_way(p, others[n].way_m);
+    if (at.distance_m < others[n].clearance_m) least_m = std::min(least_m, at.along_m);
+  }
+  return least_m;
+}
+
+enum class Seek : std::uint8_t { OffWays, OffWaysPushing, Farthest };
+
 BackOff search(const KnownMap& map, const Vec3& from_m, std::span<const Other> others,
-               const std::vector<bool>& way_first, bool push) {
+               const std::vector<bool>& way_first, Seek seek) {
   const CellGrid& grid = map.grid();
   const std::vector<Cell> moves = moves_of(map.planar());
   std::map<CellIndex, CellIndex> parent;
   std::vector<CellIndex> order{grid.index_of(grid.cell_of(from_m))};
   parent[order.front()] = order.front();
+  CellIndex farthest = order.front();
+  double farthest_m = spared_m(from_m, others, way_first);
   const auto trace = [&](CellIndex cell) {
     BackOff found;
     for (; cell != order.front(); cell = parent.at(cell)) found.cells.push_back(cell);
@@ -70,22 +85,29 @@ BackOff search(const KnownMap& map, const Vec3& from_m, std::span<const Other> o
       if (!open_move(map, c, move) || parent.contains(grid.index_of(next))) continue;
       const Vec3 centre = grid.centre_m(next);
       const int by = taken_by(here, centre, others);
-      if (by >= 0 && (!push || way_first[static_cast<std::size_t>(by)])) continue;
+      if (by >= 0 && (seek != Seek::OffWaysPushing || way_first[static_cast<std::size_t>(by)])) continue;
       const CellIndex index = grid.index_of(next);
       parent[index] = order[head];
       order.push_back(index);
-      if (off_ways(centre, others, way_first)) return trace(index);
+      if (seek != Seek::Farthest && off_ways(centre, others, way_first)) return trace(index);
+      const double here_m = spared_m(centre, others, way_first);
+      if (here_m <= farthest_m + 1e-6) continue;
+      farthest_m = here_m;
+      farthest = index;
     }
   }
-  return {};
+  return seek == Seek::Farthest ? trace(farthest) : BackOff{};
 }
 
 }  // namespace
 
 BackOff find_back_off(const KnownMap& map, const Vec3& from_m, std::span<const Other> others,
                       const std::vector<bool>& way_first) {
-  BackOff found = search(map, from_m, others, way_first, false);
-  return found.cells.empty() ? search(map, from_m, others, way_first, true) : found;
+  for (const Seek seek : {Seek::OffWays, Seek::OffWaysPushing, Seek::Farthest}) {
+    BackOff found = search(map, from_m, others, way_first, seek);
+    if (!found.cells.empty()) return found;
+  }
+  return {};
 }
 
 }  // namespace skein::gridnav

@@ -3,7 +3,8 @@
 // Breadth first over cells that are seen and free, without cutting corners, from the own cell. A cell is a place to
 // wait if a body at its centre keeps clear of the ways that must stay free and of every other where that stands. Cells
 // taken by others are no passage; if nothing is found so, those of others that can be asked to move aside are, and the
-// first of these on the way is named. Beyond the announced way lies 'away': who follows pushes on, until a bay comes.
+// first of these on the way is named. If all that is known lies on the way, then along it as far as is known, so that
+// who follows gets on and sees more. Beyond the announced way lies 'away': who follows pushes on, until a bay comes.
 // Source: Okumura et al., AIJ 2022, section 4 (push). Departs from source: looks further than the cells around.
 // Complexity: O(cells visited x others), at most kMostCells cells.
 #pragma once

@@ -68,7 +68,9 @@ TEST(Corridor, WithoutBayEndsAsDeadlock) {
   for (const double cell_m : {2.0, 4.0, 7.0}) {
     Layout layout = drawn({"a................b"}, cell_m);
     layout.goals_m = {layout.grid.centre_m(layout.starts[1]), layout.grid.centre_m(layout.starts[0])};
-    const Outcome outcome = fly(layout, {});
+    Conditions conditions;
+    conditions.goal_radius_m = 0.4;  // so that two do not fit into it
+    const Outcome outcome = fly(layout, conditions);
     EXPECT_EQ(outcome.count(NavStatus::Deadlock), 2) << "cells of " << cell_m;
     EXPECT_LT(outcome.decisions, 1500u);
     EXPECT_GE(outcome.closest_m, 0.5);

@@ -106,6 +106,22 @@ TEST(Forests, SameSeedSameHashes) {
   EXPECT_EQ(fly(layout, {}).hash, fly(layout, {}).hash);
 }
 
+TEST(Forests, SwarmsInSpaceArriveAndNeverTouch) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Conditions conditions;
+    conditions.loss = seed % 2 == 0 ? 0.0 : 0.2;
+    conditions.seed = seed;
+    const CellGrid grid{Vec3(0, 0, 4), 4.0, 4.0, 12, 12, 4};
+    const Layout layout = forest_in_space(500 + seed, grid, 0.45, 6);
+    const Outcome outcome = fly(layout, conditions);
+    EXPECT_GE(outcome.closest_m, 0.5) << "seed " << seed;
+    EXPECT_EQ(outcome.hits, 0u) << "seed " << seed;
+    for (std::size_t n = 0; n < outcome.flights.size(); ++n)
+      EXPECT_EQ(outcome.flights[n].status, has_way(layout, n) ? NavStatus::Arrived : NavStatus::Unreachable)
+          << "seed " << seed << " UAV " << n + 1 << " after " << outcome.decisions;
+  }
+}
+
 TEST(Crowds, NeverTouchWhateverIsLost) {
   int arrived = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
