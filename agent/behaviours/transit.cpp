@@ -7,6 +7,9 @@
 namespace skein {
 namespace {
 
+/// Within so many ways of a decision intents are told: each may come one nearer, and plans look two ahead.
+constexpr double kCrowdedReaches = 2.1;
+
 const TransitMission& transit_of(const Mission& mission) {
   if (!mission.transit) throw std::invalid_argument("the mission is no transit");
   return *mission.transit;
@@ -120,10 +123,22 @@ std::vector<gridnav::Neighbour> TransitBehaviour::neighbours(const Sense& sense,
     if (peer.landed) continue;
     gridnav::Neighbour neighbour{peer.agent, peer.position_m, vehicle_of(mission_, peer.agent).radius_m, std::nullopt};
     const ObstacleMapSample* last = receiver_.last_of(peer.agent);
-    if (last != nullptr && last->intent.decision == decision) neighbour.intent = last->intent;
+    if (last != nullptr && last->intent.decision == decision) {
+      neighbour.intent = last->intent;
+      neighbour.intent->from_m = peer.position_m;
+    }
     around.push_back(std::move(neighbour));
   }
   return around;
+}
+
+/// Whether a UAV is so near that its right of way may hang on the intent; one unheard is kept clear of in any case.
+bool TransitBehaviour::is_crowded(const Sense& sense) const {
+  if (decision_.status == NavStatus::Arrived) return false;
+  const double reach_m = vehicle_of(mission_, self_).speed_mps * mission_.transit->planner.decision_s;
+  return std::ranges::any_of(sense.heard, [&](const HeardPeer& peer) {
+    return !peer.landed && (peer.position_m - sense.pose.position_m).norm() <= kCrowdedReaches * reach_m;
+  });
 }
 
 std::vector<MapPeer> TransitBehaviour::peers_in_reach(const Sense& sense) const {
@@ -140,12 +155,9 @@ std::optional<ObstacleMapSample> TransitBehaviour::compose(const Tick& tick, con
   const TransitMission& transit = *mission_.transit;
   const Allowance allowance = budget_.at(decision);
   ObstacleMapSample sample;
-  if (allowance.payload_bytes < payload_bytes(0, 0)) {
-    budget_.silent();
-    return std::nullopt;
-  }
   sample.intent = decision_.next;
-  if (transit.planner.share_maps != 0.0 && allowance.map_slot) {
+  bool worth_it = is_crowded(sense);
+  if (transit.planner.share_maps != 0.0 && allowance.map_slot && !sense.heard.empty()) {
     const std::vector<MapPeer> peers = peers_in_reach(sense);
     MapRequest request;
     request.budget_bytes = allowance.payload_bytes;
@@ -153,11 +165,17 @@ std::optional<ObstacleMapSample> TransitBehaviour::compose(const Tick& tick, con
     request.peers = peers;
     request.range_m = transit.radio.range_m;
     request.latency_rounds = latency_of(transit.radio);
-    request.patience_rounds = std::max(4U, 2 * budget_.decisions_per_frame() * steps_per_decision_);
+    request.patience_rounds = std::max(4U, 4 * budget_.decisions_per_frame() * steps_per_decision_);
     if (std::optional<MapPart> part = map_.compose(request)) {
+      worth_it = worth_it || !part->idle;
       sample.seen = std::move(part->seen);
       sample.tiles = std::move(part->tiles);
     }
+  }
+  if (!worth_it) return std::nullopt;
+  if (allowance.payload_bytes < payload_bytes(0, 0)) {
+    budget_.silent();
+    return std::nullopt;
   }
   budget_.sent(decision, payload_bytes(sample.tiles.size(), sample.seen.size()));
   return sample;

@@ -33,6 +33,7 @@ class TransitBehaviour final : public Behaviour {
   void decide(const Tick& tick, const Sense& sense);
   [[nodiscard]] std::vector<gridnav::Neighbour> neighbours(const Sense& sense, std::uint32_t decision) const;
   [[nodiscard]] std::optional<ObstacleMapSample> compose(const Tick& tick, const Sense& sense, std::uint32_t decision);
+  [[nodiscard]] bool is_crowded(const Sense& sense) const;
   [[nodiscard]] std::vector<MapPeer> peers_in_reach(const Sense& sense) const;
 
   Mission mission_;

@@ -53,7 +53,7 @@ Json run_of(const Scenario& scenario, const InProcessResult& result) {
            {"plan_feasible", result.report.at("plan_feasible")},
            {"plan_success", result.report.at("plan_success")}};
   run["figures"] = figures_of(result.report);
-  add_planned_separations(scenario.mission, result.report, run["figures"]);
+  if (!scenario.mission.transit) add_planned_separations(scenario.mission, result.report, run["figures"]);
   return run;
 }
 
@@ -107,6 +107,11 @@ Json figures_of(const Json& report) {
   Json figures;
   for (const auto& [name, value] : report.items()) {
     if (value.is_number() && name != "seed" && name != "exit_code") figures[name] = value;
+  }
+  if (report.contains("radio")) {
+    for (const auto& [name, value] : report.at("radio").items()) {
+      if (value.is_number()) figures["radio." + name] = value;
+    }
   }
   double longest_m = 0.0;
   for (const Json& vehicle : report.at("vehicles")) {

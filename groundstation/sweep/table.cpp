@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr double kZ = 1.96;
 
 /// Names end in these, whichever vehicles they are of.
-constexpr std::array<std::string_view, 6> kShown{"planned_length_m", "plan_spread_m", "longest_path_m",
-                                                 "planned_m",        "flown_m",       "plan_s"};
+constexpr std::array<std::string_view, 8> kShown{"planned_length_m", "plan_spread_m", "longest_path_m", "arrived",
+                                                 "total_path_m",     "planned_m",     "flown_m",        "plan_s"};
 
 bool is_shown(const std::string& name) {
   return std::ranges::any_of(kShown, [&](std::string_view end) {
@@ -56,14 +56,17 @@ Json entry_of(const Json& row) {
   Json entry;
   entry["set"] = row.at("set");
   entry["runs"] = runs.size();
-  entry["plan_success"] = rate_of(successes, runs.size());
-  entry["plan_feasible"] = rate_of(feasible, runs.size());
+  const bool plans = !runs.empty() && !runs[0].at("plan_success").is_null();
+  if (plans) {
+    entry["plan_success"] = rate_of(successes, runs.size());
+    entry["plan_feasible"] = rate_of(feasible, runs.size());
+  }
   entry["success"] = rate_of(static_cast<std::size_t>(arrived), runs.size());
-  entry["over"] = successes > 0 ? "successful plans" : feasible > 0 ? "feasible plans" : "none";
+  entry["over"] = !plans ? "all runs" : successes > 0 ? "successful plans" : feasible > 0 ? "feasible plans" : "none";
   std::vector<std::string> names;
   std::map<std::string, std::vector<double>> columns;
   for (const Json& run : runs) {
-    if (run.at(successes > 0 ? "plan_success" : "plan_feasible") != true) continue;
+    if (plans && run.at(successes > 0 ? "plan_success" : "plan_feasible") != true) continue;
     for (const auto& [name, value] : run.at("figures").items()) {
       if (!is_shown(name)) continue;
       if (!columns.contains(name)) names.push_back(name);
@@ -150,6 +153,7 @@ std::string text_of_table(const Json& table) {
   line("", [](const Json& entry) { return title_of(entry); });
   line("runs", [](const Json& entry) { return entry.at("runs").dump(); });
   for (const char* rate : {"plan_success", "plan_feasible", "success"}) {
+    if (!table.empty() && !table[0].contains(rate)) continue;
     line(rate, [&](const Json& entry) { return rate_text(entry.at(rate)); });
   }
   line("mean +-95 % (sd) over", [](const Json& entry) { return entry.at("over").get<std::string>(); });

@@ -8,13 +8,12 @@ namespace {
 
 wire::NextMove wire_intent(const Intent& intent) {
   wire::NextMove out;
-  out.from_m(wire_point(intent.from_m));
   out.to_m(wire_point(intent.to_m));
   out.to_go_m(intent.to_go_m);
   out.decision(intent.decision);
-  out.waited(intent.waited);
-  out.asks(intent.asks);
-  out.on_behalf_of(intent.on_behalf_of);
+  out.waited(static_cast<std::uint16_t>(std::min(intent.waited, kMaxWaited)));
+  out.asks(static_cast<std::uint16_t>(intent.asks));
+  out.on_behalf_of(static_cast<std::uint16_t>(intent.on_behalf_of));
   out.next_cells(intent.next_cells);
   out.status(static_cast<std::uint8_t>(intent.status));
   return out;
@@ -23,7 +22,6 @@ wire::NextMove wire_intent(const Intent& intent) {
 Intent plain_intent(const wire::NextMove& move) {
   Intent out;
   out.decision = move.decision();
-  out.from_m = plain_point(move.from_m());
   out.to_m = plain_point(move.to_m());
   out.waited = move.waited();
   out.to_go_m = move.to_go_m();
@@ -34,8 +32,22 @@ Intent plain_intent(const wire::NextMove& move) {
   return out;
 }
 
+std::array<std::uint32_t, 4> halves_of(const TileCells& cells) {
+  std::array<std::uint32_t, 4> halves{};
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    halves[i] = static_cast<std::uint32_t>(cells[i / 2] >> (32 * (i % 2)));
+  }
+  return halves;
+}
+
+TileCells words_of(const std::array<std::uint32_t, 4>& halves) {
+  const auto word = [](std::uint32_t low, std::uint32_t high) {
+    return (static_cast<std::uint64_t>(high) << 32) | low;
+  };
+  return {word(halves[0], halves[1]), word(halves[2], halves[3])};
+}
+
 void check_intent(Checker& check, const wire::NextMove& move, const std::optional<CellGrid>& grid) {
-  check.position(move.from_m(), "obstacle_map.intent.from_m");
   check.position(move.to_m(), "obstacle_map.intent.to_m");
   check.within(move.to_go_m(), -limits::kLength_m, limits::kLength_m, "obstacle_map.intent.to_go_m");
   check.enumerator(move.status(), NavStatus::Flying, NavStatus::Deadlock, "obstacle_map.intent.status");
@@ -85,11 +97,11 @@ wire::ObstacleMap to_wire(const ObstacleMapSample& map, const Stamp& stamp) {
   for (std::size_t i = 0; i < map.tiles.size(); ++i) {
     const MapTile& tile = map.tiles[i];
     wire::MapPatch& patch = out.tiles()[i];
-    patch.origin(tile.origin);
+    patch.origin(static_cast<std::uint16_t>(tile.origin));
     patch.tile(tile.tile);
-    patch.epoch(tile.epoch);
+    patch.epoch(static_cast<std::uint16_t>(std::min(tile.epoch, kMaxEpoch)));
     patch.version(tile.version);
-    patch.cells(tile.cells);
+    patch.cells(halves_of(tile.cells));
   }
   return out;
 }
@@ -114,7 +126,7 @@ Checked<ObstacleMapSample> from_wire(const wire::ObstacleMap& sample, const Wire
   for (const wire::LogMark& mark : sample.seen()) out.seen.push_back({mark.agent(), mark.version(), mark.digest()});
   out.tiles.reserve(sample.tiles().size());
   for (const wire::MapPatch& patch : sample.tiles()) {
-    out.tiles.push_back({patch.origin(), patch.tile(), patch.epoch(), patch.version(), patch.cells()});
+    out.tiles.push_back({patch.origin(), patch.tile(), patch.epoch(), patch.version(), words_of(patch.cells())});
   }
   return out;
 }

@@ -53,6 +53,7 @@ void RadioLog::charge(std::uint32_t step, const ObstacleMapSample& sample) {
   const std::uint32_t decision = (step - 1) / steps_per_decision_ + 1;
   RadioBudget& budget = budgets_.at(sample.agent);
   sent_bytes_ += bytes;
+  ++sent_samples_;
   if (bytes > budget.at(decision).payload_bytes) {
     ++over_budget_;
   } else {

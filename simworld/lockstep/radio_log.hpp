@@ -47,6 +47,7 @@ class RadioLog {
   [[nodiscard]] double peak_bits() const;
   [[nodiscard]] std::uint32_t over_budget() const { return over_budget_; }
   [[nodiscard]] std::uint64_t sent_bytes() const { return sent_bytes_; }
+  [[nodiscard]] std::uint64_t sent_samples() const { return sent_samples_; }
   /// Since which step all agents' maps have been equal; nothing if they are not.
   [[nodiscard]] std::optional<std::uint32_t> equal_since() const { return equal_since_; }
 
@@ -70,6 +71,7 @@ class RadioLog {
   std::vector<PartitionChange> partitions_;
   std::uint32_t over_budget_ = 0;
   std::uint64_t sent_bytes_ = 0;
+  std::uint64_t sent_samples_ = 0;
   std::optional<std::uint32_t> equal_since_;
 };
 

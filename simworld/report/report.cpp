@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "planner/core/lockstep/names.hpp"
@@ -111,11 +112,9 @@ void add_radio(Json& report, const RadioLog& log) {
                      {"age_p50", count.age_quantile(0.5)},
                      {"age_p95", count.age_quantile(0.95)}});
   }
-  report["radio"] = {{"sent_bytes", log.sent_bytes()},
-                     {"slot_bits", log.slot_bits()},
-                     {"peak_slot_bits", log.peak_bits()},
-                     {"over_budget", log.over_budget()},
-                     {"links", links}};
+  report["radio"] = {{"sent_samples", log.sent_samples()}, {"sent_bytes", log.sent_bytes()},
+                     {"slot_bits", log.slot_bits()},       {"peak_slot_bits", log.peak_bits()},
+                     {"over_budget", log.over_budget()},   {"links", links}};
   Json changes = Json::array();
   for (const PartitionChange& change : log.partitions()) {
     changes.push_back({{"step", change.step}, {"groups", change.groups}});
@@ -144,6 +143,25 @@ Json outcome_of(const WorldSession& session) {
            session.interrupted() ? std::vector<AgentId>{} : session.run().verdict().completed_without}};
 }
 
+/// What was planned on the ground; of a transit, which plans on the way, null. Its own figures instead.
+void add_plan(Json& report, const Run& run) {
+  const Mission& mission = run.mission();
+  if (!mission.transit) {
+    const std::optional<double> spread_m = run.plan_spread_m();
+    report["planner"] = mission.planner.name;
+    report["plan_feasible"] = spread_m.has_value();
+    report["plan_success"] = spread_m && *spread_m <= mission.planner.length_tolerance_m;
+    report["plan_spread_m"] = or_null(spread_m);
+    return;
+  }
+  const auto& vehicles = run.world().vehicles();
+  report["planner"] = mission.transit->planner.name;
+  for (const char* key : {"plan_feasible", "plan_success", "plan_spread_m"}) report[key] = nullptr;
+  report["arrived"] = std::ranges::count(vehicles, VehicleStatus::Arrived, &VehicleRecord::status);
+  report["total_path_m"] = std::accumulate(vehicles.begin(), vehicles.end(), 0.0,
+                                           [](double sum, const VehicleRecord& v) { return sum + v.flown_m; });
+}
+
 }  // namespace
 
 std::string_view version() {
@@ -166,12 +184,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["version"] = version();
   report["carrier"] = context.carrier;
   report["fail_fast"] = session.fail_fast();
-  const auto& transit = scenario.mission.transit;
-  report["planner"] = transit ? transit->planner.name : scenario.mission.planner.name;
-  const std::optional<double> spread_m = run.plan_spread_m();
-  report["plan_feasible"] = spread_m.has_value();
-  report["plan_success"] = spread_m && *spread_m <= scenario.mission.planner.length_tolerance_m;
-  report["plan_spread_m"] = or_null(spread_m);
+  add_plan(report, run);
   report["steps"] = run.steps_flown();
   report["rounds"] = run.planning_rounds();
   report["collisions"] = world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) +

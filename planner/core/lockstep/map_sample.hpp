@@ -23,7 +23,7 @@ enum class NavStatus : std::uint8_t {
 /// What a UAV says in one decision of what it will do in the next: right of way follows from these alone.
 struct Intent {
   std::uint32_t decision = 0;  ///< the decision for which it stands, from 1
-  Vec3 from_m = Vec3::Zero();  ///< where that motion starts
+  Vec3 from_m = Vec3::Zero();  ///< where that motion starts: where its sender is then, so that it is not sent
   Vec3 to_m = Vec3::Zero();    ///< where it ends, if nothing with right of way is in its way
   std::uint32_t waited = 0;    ///< decisions without progress, or what the rule makes of them
   double to_go_m = 0.0;        ///< along its field; infinite is sent as a negative number
@@ -85,12 +85,17 @@ inline void add_to(StateHash& hash, const ObstacleMapSample& sample) {
 // What a sample may hold at most: within one datagram.
 inline constexpr std::size_t kMaxSeen = kMaxAgents;
 inline constexpr std::size_t kMaxMapTiles = 1024;
+/// Of an intent: more counts as much.
+inline constexpr std::uint32_t kMaxWaited = 65535;
+/// The last epoch of a tile: 65535 times a cell of it became free. After that obstacles in it stay.
+inline constexpr std::uint32_t kMaxEpoch = 65535;
 
 /// CDR bytes of a sample without serialising it (tests hold it to the wire); without tiles and vector its control part.
+inline constexpr std::size_t kControlBytes = 100;
 inline constexpr std::size_t kSeenBytes = 16;
-inline constexpr std::size_t kMapTileBytes = 32;
+inline constexpr std::size_t kMapTileBytes = 28;
 [[nodiscard]] constexpr std::size_t payload_bytes(std::size_t n_tiles, std::size_t n_seen) {
-  return 132 + kSeenBytes * n_seen + (n_tiles > 0 ? 4 + kMapTileBytes * n_tiles : 0);
+  return kControlBytes + kSeenBytes * n_seen + kMapTileBytes * n_tiles;
 }
 
 }  // namespace skein

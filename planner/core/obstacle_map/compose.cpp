@@ -41,6 +41,10 @@ bool ObstacleMap::is_due(const LogEntry& entry, std::size_t origin, const Target
   const std::size_t n = ids_.size();
   const auto turn = [&](std::size_t rank) { return (rank + n - origin) % n; };
   if (peer.answered_round == 0) return false;
+  // a tile at the edge of a sensor changes with every look: it is passed on once it rests, but to one just met at once
+  const bool rests = request.round - entry.known_round >= request.patience_rounds;
+  const bool just_met = request.round - peer.met_round < request.patience_rounds;
+  if (!rests && !just_met) return false;
   const std::uint32_t since = std::max(entry.touched_round(), peer.met_round);
   const std::uint32_t waited = request.round > since ? request.round - since : 0;
   std::uint32_t passes = waited / std::max(request.patience_rounds, 1U);  // those before this one who had their time
@@ -125,6 +129,18 @@ std::vector<Seen> ObstacleMap::tell_vector(std::size_t count) {
   return vector;
 }
 
+/// All to a peer that was met not long ago, or is unheard; else some of those that changed, and of the others, in turn.
+std::size_t ObstacleMap::entries_worth_telling(const MapRequest& request, std::span<const Target> targets) const {
+  const bool anybody_new = std::ranges::any_of(targets, [&](const Target& to) {
+    const Peer& peer = peers_[to.rank];
+    return peer.answered_round == 0 || 2 * (request.round - peer.met_round) < request.patience_rounds;
+  });
+  if (anybody_new) return ids_.size();
+  std::size_t changed = 0;
+  for (std::size_t rank = 0; rank < seen_.size(); ++rank) changed += seen_[rank] != told_[rank] ? 1 : 0;
+  return std::min(ids_.size(), changed + changed / 3 + 2);
+}
+
 std::optional<MapPart> ObstacleMap::compose(const MapRequest& request) {
   if (request.budget_bytes < payload_bytes(0, 0)) return std::nullopt;
   round_ = std::max(round_, request.round);
@@ -137,7 +153,11 @@ std::optional<MapPart> ObstacleMap::compose(const MapRequest& request) {
   const std::size_t wanted_bytes = payload_bytes(wanted, 0) - payload_bytes(0, 0);
   const std::size_t vector_bytes = std::max(room / 2, room - std::min(room, wanted_bytes));
   MapPart part;
-  part.seen = tell_vector(std::min(ids_.size(), vector_bytes / kSeenBytes));
+  const bool fresh = told_round_ > 0 && request.round - told_round_ < 2 * request.patience_rounds;
+  part.idle = wanted == 0 && seen_ == told_ && !owes_answer_ && fresh;
+  if (!part.idle) told_round_ = request.round;
+  owes_answer_ = false;
+  part.seen = tell_vector(std::min(entries_worth_telling(request, targets), vector_bytes / kSeenBytes));
   std::size_t fits = wanted;
   while (fits > 0 && payload_bytes(fits, part.seen.size()) > request.budget_bytes) --fits;
   for (std::size_t i = 0; i < fits; ++i) {

@@ -84,8 +84,9 @@ void ObstacleMap::open_epochs(std::span<const CellChange> contradictions) {
   for (std::size_t i = 0; i < places.size();) {
     const std::uint32_t tile = places[i].tile;
     TileState opened = merged_[tile];
-    ++opened.epoch;
     for (; i < places.size() && places[i].tile == tile; ++i) set_cell(opened.cells, places[i].n, CellState::Free);
+    if (opened.epoch == kMaxEpoch) continue;
+    ++opened.epoch;
     contribute(tile, opened);
     change(tile, opened);
   }
@@ -162,6 +163,7 @@ void ObstacleMap::merge(const ObstacleMapSample& sample) {
   if (!sender || *sender == self_) return;
   round_ = std::max(round_, sample.round);
   for (const MapTile& tile : sample.tiles) absorb(tile);
+  owes_answer_ = owes_answer_ || !sample.tiles.empty();
   close_change();
   hear_vector(sample, *sender);
 }

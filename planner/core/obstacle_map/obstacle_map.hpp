@@ -52,6 +52,9 @@ struct MapPart {
   std::vector<Seen> seen;      ///< by ascending agent
   std::vector<MapTile> tiles;  ///< most useful first
   std::size_t left = 0;        ///< tiles for which there was no room
+  /// It need not be sent: nobody lacks what this agent holds, its vector is as last told, and that was not long ago (a
+  /// peer waits for an answer to tiles that may have been lost).
+  bool idle = false;
 };
 
 class ObstacleMap {
@@ -116,6 +119,7 @@ class ObstacleMap {
   [[nodiscard]] std::vector<Candidate> lacked(const MapRequest& request, std::span<const Target> targets);
   [[nodiscard]] bool is_due(const LogEntry& entry, std::size_t origin, const Target& to, const MapRequest& request,
                             std::span<const Target> targets) const;
+  [[nodiscard]] std::size_t entries_worth_telling(const MapRequest& request, std::span<const Target> targets) const;
   [[nodiscard]] std::vector<Seen> tell_vector(std::size_t count);
 
   TileGrid tiles_;
@@ -131,7 +135,9 @@ class ObstacleMap {
   std::vector<std::uint32_t> told_;   ///< `seen_` as last told
   std::size_t next_told_ = 0;         ///< where a vector that does not fit goes on
   std::uint32_t composed_round_ = 0;
-  std::vector<Peer> peers_;  ///< by rank
+  std::uint32_t told_round_ = 0;  ///< when a part that was not idle was last composed
+  bool owes_answer_ = false;      ///< a peer sent tiles since
+  std::vector<Peer> peers_;       ///< by rank
 };
 
 }  // namespace skein

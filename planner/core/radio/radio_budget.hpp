@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "planner/core/hash/state_hash.hpp"
+#include "planner/core/lockstep/map_sample.hpp"
 #include "planner/core/options/transit_options.hpp"
 
 namespace skein {
@@ -19,7 +20,7 @@ struct RadioShare {
   double decision_s = 1.0;          ///< between two decisions
   std::uint32_t rank = 0;           ///< of the UAV among all, by ascending id, from 0
   std::uint32_t count = 1;          ///< of UAVs
-  std::size_t control_bytes = 132;  ///< CDR bytes of a sample without map
+  std::size_t control_bytes = kControlBytes;  ///< CDR bytes of a sample without map
 };
 
 /// What a sample may hold.

@@ -103,7 +103,7 @@ inline ObstacleMapSample obstacle_map() {
   m.agent = 3;
   m.incarnation = 2;
   m.round = 6;
-  m.intent = {12, Vec3(1.0, 2.0, 3.0), Vec3(4.0, 5.0, 6.0), 7, 88.5, NavStatus::Unreachable, 1, 3, {9, 10, 11, 11}};
+  m.intent = {12, Vec3::Zero(), Vec3(4.0, 5.0, 6.0), 7, 88.5, NavStatus::Unreachable, 1, 3, {9, 10, 11, 11}};
   m.seen = {{1, 13, 0x1122334455667788}, {3, 14, 0x99aabbccddeeff00}};
   m.tiles = {{3, 5, 1, 14, {0x0123456789abcdef, 0xfedcba9876543210}}, {1, 0, 0, 13, {1, 2}}};
   return m;

@@ -152,7 +152,7 @@ TEST(Refusal, ObstacleMap) {
                      {"obstacle_map.head.sender", WrongSender, [](W& m) { m.head().sender(1); }},
                      {"obstacle_map.head.run", WrongRun, [](W& m) { m.head().run(0); }},
                      {"obstacle_map.head.incarnation", WrongIncarnation, [](W& m) { m.head().incarnation(1); }},
-                     {"obstacle_map.intent.from_m", NonFinite, [](W& m) { m.intent().from_m().x(kNan); }},
+                     {"obstacle_map.intent.to_m", NonFinite, [](W& m) { m.intent().to_m().x(kNan); }},
                      {"obstacle_map.intent.to_m", OutOfRange, [](W& m) { m.intent().to_m().y(1e8); }},
                      {"obstacle_map.intent.to_go_m", NonFinite, [](W& m) { m.intent().to_go_m(kInfinity); }},
                      {"obstacle_map.intent.status", BadEnum, [](W& m) { m.intent().status(0); }},
