@@ -12,6 +12,7 @@
 #include "idl/process/id_list.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
+#include "idl/process/turn.hpp"
 #include "planner/core/lockstep/names.hpp"
 
 namespace skein {
@@ -20,6 +21,7 @@ namespace {
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 constexpr double kWorldTimeout_s = 30.0;
+constexpr double kLook_s = 0.25;  ///< at most, between two looks at what may be due: others serve meanwhile
 
 /// The sessions of one process, over the ports that they share.
 class Sessions {
@@ -116,15 +118,35 @@ class Sessions {
   std::vector<std::unique_ptr<Member>> members_;
 };
 
+int goodbye(Sessions& sessions, bus::DdsAgentGroup& group) {
+  sessions.leave(steady_now_s());
+  const bool heard = group.flush(std::chrono::milliseconds(500));
+  if (sessions.refused_samples() + group.lost() > 0) {
+    spdlog::warn("{} samples refused, {} lost", sessions.refused_samples(), group.lost());
+  }
+  sessions.log_ends(heard ? "" : " (last beacon unheard)");
+  if (sessions.any(AgentSession::State::TurnedAway)) return kStartUp;
+  return sessions.any(AgentSession::State::Dropped) ? kLost : 0;
+}
+
 int serve(const AgentArguments& arguments) {
   const SignalWatch signals({SIGINT, SIGTERM});
   const std::uint64_t nonce = random_id();
-  bus::DdsAgentGroup group(dds_config(arguments.common, arguments.ids.front(), nonce), arguments.ids);
+  Turn turn;
+  bus::DdsAgentGroup group(dds_config(arguments.common, arguments.ids.front(), nonce), arguments.ids,
+                           [&turn] { return turn.take(); });
   Sessions sessions(arguments.ids, nonce, group, steady_now_s());
   spdlog::info("agent {} introduces itself to swarm {} in domain {}", text_of(arguments.ids),
                swarm_of(arguments.common), arguments.common.domain);
-  while (sessions.go_on()) {
-    wait_readable({group.wake_fd(), signals.fd()}, sessions.idle_s(steady_now_s()));
+  const auto serve_sessions = [&] {
+    group.receive();
+    sessions.poll();
+    return sessions.go_on();
+  };
+  const Turn::Service service(turn, serve_sessions);
+  for (double idle_s = 0.0;;) {
+    wait_readable({group.wake_fd(), signals.fd()}, std::min(idle_s, kLook_s));
+    const auto lock = turn.own();
     if (const auto signal = signals.take()) {
       sessions.leave(steady_now_s());
       sessions.log_signal(*signal, group.flush(std::chrono::milliseconds(500)));
@@ -134,23 +156,15 @@ int serve(const AgentArguments& arguments) {
       spdlog::error("{}", *conflict);
       return kStartUp;
     }
-    group.receive();
-    sessions.poll();
+    if (!serve_sessions()) return goodbye(sessions, group);
     const double default_s = sessions.heard_world() ? kWorldTimeout_s : arguments.common.startup_timeout_s;
     const double limit_s = arguments.world_timeout_s.value_or(default_s);
     if (steady_now_s() - sessions.heard_world_s() > limit_s) {
       spdlog::error("no tick of a world for {} s", limit_s);
       return kStartUp;
     }
+    idle_s = sessions.idle_s(steady_now_s());
   }
-  sessions.leave(steady_now_s());
-  const bool heard = group.flush(std::chrono::milliseconds(500));
-  if (sessions.refused_samples() + group.lost() > 0) {
-    spdlog::warn("{} samples refused, {} lost", sessions.refused_samples(), group.lost());
-  }
-  sessions.log_ends(heard ? "" : " (last beacon unheard)");
-  if (sessions.any(AgentSession::State::TurnedAway)) return kStartUp;
-  return sessions.any(AgentSession::State::Dropped) ? kLost : 0;
 }
 
 }  // namespace

@@ -59,8 +59,9 @@ struct DdsAgentGroup::Impl {
     std::size_t wake_after_ = 0;
   };
 
-  Impl(const DdsConfig& config, std::span<const AgentId> ids)
-      : book(self(config, ids)),
+  Impl(const DdsConfig& config, std::span<const AgentId> ids, Delivery delivery)
+      : wake(std::move(delivery)),
+        book(self(config, ids)),
         participant(config, partitions_of(config.swarm, ids), book, wake),
         publisher(participant.publisher(config.swarm)),
         subscriber(participant.subscriber({config.swarm})),
@@ -167,8 +168,8 @@ struct DdsAgentGroup::Impl {
   Writer<wire::Beacon> beacon;
 };
 
-DdsAgentGroup::DdsAgentGroup(const DdsConfig& config, std::span<const AgentId> ids)
-    : impl_(std::make_unique<Impl>(config, ids)) {}
+DdsAgentGroup::DdsAgentGroup(const DdsConfig& config, std::span<const AgentId> ids, std::function<bool()> delivery)
+    : impl_(std::make_unique<Impl>(config, ids, std::move(delivery))) {}
 DdsAgentGroup::~DdsAgentGroup() = default;
 
 AgentPort& DdsAgentGroup::port(std::size_t index) const {

@@ -4,11 +4,12 @@
 // an eventfd; the owner waits on wake_fd() and calls take(), which quietens it. Samples are published at once, in the
 // calling thread. UDP alone by default, with nothing in /dev/shm; Profile::Shm adds shared memory.
 // Block the signals that a process handles before it makes a port: the threads of DDS inherit the mask.
-// A port is used by one thread; conflict(), matched() and wake_fd() may be asked from any.
+// A port is used by one thread at a time; conflict(), matched() and wake_fd() may be asked from any.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,7 +45,9 @@ class DdsAgentGroup {
   /// Agent i of `ids` (ascending, each once) has nonce `config.nonce` + i; `config.id` is not used.
   /// @throws std::invalid_argument for a config out of range (ids 1 to kMaxAgents), std::runtime_error if DDS cannot
   /// make the participant or an endpoint.
-  DdsAgentGroup(const DdsConfig& config, std::span<const AgentId> ids);
+  /// @param delivery called by the thread of DDS that brings what the ports wait for, not only their owner's thread;
+  /// everything that it uses must outlive the group (idl/process/turn.hpp)
+  DdsAgentGroup(const DdsConfig& config, std::span<const AgentId> ids, std::function<bool()> delivery = {});
   ~DdsAgentGroup();
   DdsAgentGroup(const DdsAgentGroup&) = delete;
   DdsAgentGroup& operator=(const DdsAgentGroup&) = delete;
@@ -92,7 +95,8 @@ class DdsAgentPort final : public AgentPort {
 class DdsWorldPort final : public WorldPort {
  public:
   /// `agents`: the ids that get a sense topic, each once. Throws as DdsAgentPort does.
-  DdsWorldPort(const DdsConfig& config, std::span<const AgentId> agents);
+  /// @param delivery as that of DdsAgentGroup
+  DdsWorldPort(const DdsConfig& config, std::span<const AgentId> agents, std::function<bool()> delivery = {});
   ~DdsWorldPort() override;
 
   void publish(const WorldOutbound& sample) override;

@@ -22,8 +22,9 @@ std::vector<std::string> partitions_of(const DdsConfig& config, std::span<const 
 
 // Members end in the opposite order: endpoints, then the participant, then what its listeners use.
 struct DdsWorldPort::Impl {
-  Impl(const DdsConfig& config, std::span<const AgentId> agents)
-      : book(self(config)),
+  Impl(const DdsConfig& config, std::span<const AgentId> agents, Delivery delivery)
+      : wake(std::move(delivery)),
+        book(self(config)),
         participant(config, partitions_of(config, agents), book, wake),
         publisher(participant.publisher(config.swarm)),
         subscriber(participant.subscriber({config.swarm})),
@@ -69,8 +70,8 @@ struct DdsWorldPort::Impl {
   std::map<AgentId, Writer<wire::Sense>> sense;
 };
 
-DdsWorldPort::DdsWorldPort(const DdsConfig& config, std::span<const AgentId> agents)
-    : impl_(std::make_unique<Impl>(config, agents)) {}
+DdsWorldPort::DdsWorldPort(const DdsConfig& config, std::span<const AgentId> agents, std::function<bool()> delivery)
+    : impl_(std::make_unique<Impl>(config, agents, std::move(delivery))) {}
 DdsWorldPort::~DdsWorldPort() = default;
 
 void DdsWorldPort::publish(const WorldOutbound& sample) {

@@ -78,7 +78,7 @@ void keep_standard_streams() {
 }
 
 void start_log(const std::string& name, const CommonFlags& flags) {
-  auto logger = spdlog::stderr_logger_st(name);
+  auto logger = spdlog::stderr_logger_mt(name);
   logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e [%n] %l: %v");
   logger->set_level(spdlog::level::from_str(flags.log_level));
   logger->flush_on(spdlog::level::info);

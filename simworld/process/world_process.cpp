@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include "idl/process/dds_config.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
+#include "idl/process/turn.hpp"
 #include "planner/core/lockstep/names.hpp"
 #include "simworld/control/control_channel.hpp"
 #include "simworld/process/progress.hpp"
@@ -31,6 +33,8 @@ class LauncherControl final : public ProcessControl {
   ControlChannel& channel_;
 };
 
+constexpr double kLook_s = 0.25;  ///< at most, between two looks at what may be due: others serve meanwhile
+
 class WorldProcess {
  public:
   WorldProcess(const WorldArguments& arguments, Scenario scenario)
@@ -39,19 +43,22 @@ class WorldProcess {
         channel_(arguments.control_fd),
         launcher_(channel_),
         nonce_(random_id()),
-        port_(dds_config(arguments.common, kWorldId, nonce_), ids_of(scenario_.mission)),
+        port_(dds_config(arguments.common, kWorldId, nonce_), ids_of(scenario_.mission),
+              [this] { return turn_.take(); }),
         session_(scenario_, session_options(arguments), port_, channel_.open() ? &launcher_ : nullptr, steady_now_s()),
         launched_(channel_.open()) {}
 
   void run() {
     channel_.send({{"launch", ids_of(scenario_.mission)}});
-    while (session_.state() != WorldSession::State::Done) {
-      wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, session_.idle_s(steady_now_s()));
+    const Turn::Service service(turn_, [this] { return serve(); });
+    for (double idle_s = 0.0;;) {
+      wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, std::min(idle_s, kLook_s));
+      const auto lock = turn_.own();
       take_signals();
       take_messages();
       if (const auto conflict = port_.conflict()) session_.refuse_start(*conflict, steady_now_s());
-      session_.poll(steady_now_s());
-      progress_.show(session_, steady_now_s());
+      if (!serve()) break;
+      idle_s = session_.idle_s(steady_now_s());
     }
     if (!port_.flush(std::chrono::milliseconds(1000))) spdlog::warn("not all samples were acknowledged");
   }
@@ -62,6 +69,13 @@ class WorldProcess {
   [[nodiscard]] bool launched() const { return launched_; }
 
  private:
+  /// @return whether the run goes on
+  bool serve() {
+    session_.poll(steady_now_s());
+    progress_.show(session_, steady_now_s());
+    return session_.state() != WorldSession::State::Done;
+  }
+
   [[nodiscard]] SessionOptions session_options(const WorldArguments& arguments) const {
     SessionOptions options;
     options.run = random_id();
@@ -101,6 +115,7 @@ class WorldProcess {
   ControlChannel channel_;
   LauncherControl launcher_;
   std::uint64_t nonce_;
+  Turn turn_;
   bus::DdsWorldPort port_;
   WorldSession session_;
   bool launched_;

@@ -50,6 +50,7 @@ struct Count {
 
   void add(const wire::Mission&) {}
   void add(const wire::Sense&) {}
+  void add(const wire::ObstacleMap&) {}
   void add(const wire::Tick& sample) {
     tick = sample.round();
     finished = sample.phase() == static_cast<std::uint8_t>(Phase::Finished);
@@ -169,6 +170,8 @@ int agent(unsigned domain, AgentId id, std::size_t agents) {
                                                 process.reader<wire::Sense>(count, "/sense/" + std::to_string(id))};
   fdds::DataReader* representatives = process.reader<wire::Representative>(count);
   fdds::DataWriter* representative = process.writer<wire::Representative>();
+  fdds::DataReader* maps = process.reader<wire::ObstacleMap>(count);  // not used in a rendezvous, but there
+  fdds::DataWriter* map = process.writer<wire::ObstacleMap>();
   fdds::DataWriter* beacon = process.writer<wire::Beacon>();
   Representative mine;
   mine.agent = id;
@@ -185,7 +188,8 @@ int agent(unsigned domain, AgentId id, std::size_t agents) {
     for (fdds::DataReader* reader : of_world) {
       if (matched(reader) < 1) return false;
     }
-    return matched(representatives) >= all && matched(representative) >= all && matched(beacon) >= 1;
+    return matched(representatives) >= all && matched(representative) >= all && matched(maps) >= all &&
+           matched(map) >= all && matched(beacon) >= 1;
   };
   for (bool said = false;;) {
     std::unique_lock lock(count.mutex);
@@ -219,6 +223,8 @@ int world(unsigned domain, std::size_t agents, double seconds) {
   process.reader<wire::Beacon>(count);
   process.reader<wire::Representative>(count);
   process.writer<wire::Representative>();
+  process.reader<wire::ObstacleMap>(count);
+  process.writer<wire::ObstacleMap>();
   process.writer<wire::Mission>();
   fdds::DataWriter* tick = process.writer<wire::Tick>();
   Tick open;
