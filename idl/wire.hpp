@@ -50,7 +50,6 @@ inline constexpr std::size_t kMaxName = 128;
 inline constexpr std::size_t kMaxVehicles = 256;
 inline constexpr std::size_t kMaxZones = 1024;
 inline constexpr std::size_t kMaxParticle = 16;
-inline constexpr std::size_t kMaxSight = 49152;  ///< bytes
 inline constexpr std::size_t kMaxRefused = 256;
 inline constexpr std::size_t kMaxReason = 512;
 inline constexpr std::size_t kMaxMatched = 257;

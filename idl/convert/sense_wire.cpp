@@ -6,7 +6,7 @@ namespace skein {
 namespace {
 
 wire::CellBlock wire_sight(const CellWindow& sight) {
-  require_bound(sight.packed.size(), wire::kMaxSight, "sense.sight");
+  require_bound(sight.packed.size(), kMaxSightBytes, "sense.sight");
   wire::CellBlock out;
   out.i(sight.low.i);
   out.j(sight.low.j);
@@ -44,10 +44,10 @@ void check_sight(Checker& check, const wire::CellBlock& block) {
   for (const std::int32_t size : {block.ni(), block.nj(), block.nk()}) {
     check.require(size >= 0 && size <= limits::kCell, WireFaultReason::OutOfRange, "sense.sight.size");
   }
-  check.size_at_most(block.packed().size(), wire::kMaxSight, "sense.sight.packed");
+  check.size_at_most(block.packed().size(), kMaxSightBytes, "sense.sight.packed");
   if (!check.ok()) return;
   const double cells = static_cast<double>(block.ni()) * block.nj() * block.nk();
-  check.require(cells <= 4.0 * wire::kMaxSight, WireFaultReason::OutOfRange, "sense.sight.size");
+  check.require(cells <= 4.0 * kMaxSightBytes, WireFaultReason::OutOfRange, "sense.sight.size");
   if (!check.ok()) return;
   const CellWindow sight = plain_sight(block);
   check.require(sight.packed.size() == (sight.size() + 3) / 4, WireFaultReason::OutOfRange, "sense.sight.packed");

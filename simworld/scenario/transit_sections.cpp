@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "planner/core/cells/cell_window.hpp"
 #include "simworld/scenario/draw.hpp"
 #include "simworld/scenario/hidden.hpp"
 #include "simworld/scenario/sections.hpp"
@@ -176,9 +177,20 @@ void check_grid(const MapReader& root, const TransitMission& transit) {
                                                        cells.cell_m, cells.cell_height_m));
   }
   const double count = size_m.x() * size_m.y() / (cells.cell_m * cells.cell_m) * (size_m.z() / cells.cell_height_m);
-  if (count <= kMaxCells) return;
-  throw ReadFault(root.place_of("area"),
-                  fmt::format("area has {:.0f} cells; allowed: at most {:.0f}", count, kMaxCells));
+  if (count > kMaxCells) {
+    throw ReadFault(root.place_of("area"),
+                    fmt::format("area has {:.0f} cells; allowed: at most {:.0f}", count, kMaxCells));
+  }
+  const auto seen = [&](double width_m, double edge_m) {
+    return std::min(width_m, 2.0 * transit.sensor.range_m + edge_m) / edge_m + 1.0;
+  };
+  const double sight =
+      seen(size_m.x(), cells.cell_m) * seen(size_m.y(), cells.cell_m) * seen(size_m.z(), cells.cell_height_m);
+  if (sight > 4.0 * kMaxSightBytes) {
+    throw ReadFault(root.map("sensor", kSensorKeys, false).place_of("range_m"),
+                    fmt::format("sensor.range_m reaches {:.0f} cells; allowed: at most {:.0f}, at 2 bits a cell", sight,
+                                4.0 * kMaxSightBytes));
+  }
 }
 
 }  // namespace

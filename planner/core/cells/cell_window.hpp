@@ -13,6 +13,8 @@
 
 namespace skein {
 
+inline constexpr std::size_t kMaxSightBytes = 49152;  ///< of a window on the wire, within one datagram
+
 struct CellWindow {
   Cell low;
   std::int32_t ni = 0;

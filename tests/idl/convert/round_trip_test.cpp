@@ -129,7 +129,7 @@ TEST(RoundTrip, TheLargestOfEverything) {
     if (id != s.agent) s.heard.push_back({id, Vec3(1.0, 2.0, 3.0), Vec3::Zero(), false});
   }
   s.sight = CellWindow::of({0, 0, 0}, 64, 64, 48);
-  EXPECT_EQ(s.sight.packed.size(), wire::kMaxSight);
+  EXPECT_EQ(s.sight.packed.size(), kMaxSightBytes);
   EXPECT_EQ(there_and_back(s).value(), s);
 
   Representative r = examples::representative();
