@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws the figures of docs/families/rendezvous.md from the sweep's own curves: sets up and builds what is missing, runs
-# one seed of each planner, and writes SVG files.
+# Draws the figures of docs/families from the sweep's own curves: sets up and builds what is missing, runs one seed of
+# each planner, and writes SVG files.
 #
 # usage: deploy/figures.sh [FOLDER]    where the files go: docs/figures by default
 set -euo pipefail
@@ -17,9 +17,11 @@ for scenario in rendezvous-2d rendezvous-3d; do
   build/release/bin/skein sweep "deploy/scenarios/$scenario.yaml" --runs 1 --seed 1 \
     --planner dcpso,dcpso-paper,dcpso-solo --curves "$curves/$scenario" >/dev/null
 done
+build/release/bin/skein sweep deploy/scenarios/transit-power-station.yaml --runs 1 --seed 1 \
+  --set planner.name=peach3d,peach3d-paper,peach --curves "$curves/transit-power-station" >/dev/null
 mkdir -p "$target"
 
-# draw NAME WIDTH HEIGHT < gnuplot commands; they find the curves in `plane` and `space`.
+# draw NAME WIDTH HEIGHT < gnuplot commands; they find the curves in `plane`, `space` and `station`.
 draw() {
   {
     cat <<PRELUDE
@@ -27,6 +29,7 @@ set terminal svg noenhanced size $2,$3 font 'DejaVu Sans,11' background '#ffffff
 set output '$target/$1.svg'
 plane = '$curves/rendezvous-2d/'
 space = '$curves/rendezvous-3d/'
+station = '$curves/transit-power-station/'
 PRELUDE
     cat <<'PRELUDE'
 set encoding utf8
@@ -160,3 +163,29 @@ do for [i=1:3:2] {
 '
 draw rendezvous-3d-curvature 1000 380 <<<"what = 'curvature'; low = 0$plot_along"
 draw rendezvous-3d-torsion 1000 380 <<<"what = 'torsion'; low = -2.3$plot_along"
+
+# Nine UAVs, each a colour, from the circles to the cross; seen from above.
+draw transit-power-station-paths 1000 380 <<'PLOT'
+set multiplot layout 1,3 margins 0.075,0.985,0.13,0.92 spacing 0.045,0
+set size ratio -1
+set xrange [0:500]
+set yrange [0:500]
+set tics 100
+unset grid
+unset key
+set xlabel 'x (m)'
+array hue[9] = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7f3c8d', '#8c564b', '#333333']
+array name[3] = ['peach3d', 'peach3d-paper', 'peach']
+file(i, what) = station . sprintf('%d-%s-%s.csv', i, name[i], what)
+do for [i=1:3] {
+  set title name[i]
+  if (i == 1) { set ylabel 'y (m)' } else { unset ylabel }
+  plot for [z=1:28] file(i, 'zones') using (of('zone', z, column('x_m'))):(column('y_m')) with filledcurves closed \
+         fillcolor rgb '#c8c8c8', \
+       for [v=1:9] file(i, 'positions') using (of('vehicle', v, column('x_m'))):(column('y_m')) with lines \
+         linewidth 1.2 linecolor rgb hue[v], \
+       for [v=1:9] '' using (column('step') == 0 ? of('vehicle', v, column('x_m')) : NaN):(column('y_m')) with points \
+         pointtype 7 pointsize 0.4 linecolor rgb hue[v], \
+       '+' every ::0::0 using (465):(330) with points pointtype 2 pointsize 1.2 linewidth 2 linecolor rgb '#000000'
+}
+PLOT

@@ -27,27 +27,54 @@ void write(const CurveFiles& files, const char* what, const std::string& text) {
   if (!file) throw CurvesNotWritten(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
 }
 
-std::vector<Vec2> outline_of(const Cylinder& cylinder) {
+/// Seen from above.
+struct Outline {
+  std::vector<Vec2> corners_m;
+  Interval heights_m;
+};
+
+std::vector<Vec2> circle(const Vec2& centre_m, double radius_m) {
   std::vector<Vec2> corners;
   for (int k = 0; k <= kOutlineCorners; ++k) {
     const double angle_rad = kTurn_rad * (k % kOutlineCorners) / kOutlineCorners;
-    corners.emplace_back(cylinder.centre_m + cylinder.radius_m * Vec2(math::cos(angle_rad), math::sin(angle_rad)));
+    corners.emplace_back(centre_m + radius_m * Vec2(math::cos(angle_rad), math::sin(angle_rad)));
   }
   return corners;
 }
 
-std::vector<Vec2> outline_of(const Box& box) {
+Outline outline_of(const Cylinder& cylinder) {
+  return {circle(cylinder.centre_m, cylinder.radius_m), {cylinder.z_min_m, cylinder.z_max_m}};
+}
+
+Outline outline_of(const Box& box) {
   const Vec3& a = box.min_m;
   const Vec3& b = box.max_m;
-  return {{a.x(), a.y()}, {b.x(), a.y()}, {b.x(), b.y()}, {a.x(), b.y()}, {a.x(), a.y()}};
+  return {{{a.x(), a.y()}, {b.x(), a.y()}, {b.x(), b.y()}, {a.x(), b.y()}, {a.x(), a.y()}}, {a.z(), b.z()}};
 }
 
-Interval heights_of(const Cylinder& cylinder) {
-  return {cylinder.z_min_m, cylinder.z_max_m};
+Outline outline_of(const Sphere& sphere) {
+  const double z_m = sphere.centre_m.z();
+  return {circle(sphere.centre_m.head<2>(), sphere.radius_m), {z_m - sphere.radius_m, z_m + sphere.radius_m}};
 }
 
-Interval heights_of(const Box& box) {
-  return {box.min_m.z(), box.max_m.z()};
+Outline outline_of(const Mesh& mesh) {
+  return outline_of(mesh.bounds());
+}
+
+/// The ground has none.
+Outline outline_of(const Terrain& /*terrain*/) {
+  return {};
+}
+
+enum class ZoneKind : std::uint8_t { Obstacle, NoFly, Hidden };
+
+std::string zone_text(std::size_t number, ZoneKind kind, const Outline& outline) {
+  std::string text;
+  for (const Vec2& corner : outline.corners_m) {
+    text += fmt::format("{},{:d},{},{},{},{},{:d}\n", number, kind == ZoneKind::NoFly ? 1 : 0, corner.x(), corner.y(),
+                        outline.heights_m.min, outline.heights_m.max, kind == ZoneKind::Hidden ? 1 : 0);
+  }
+  return text;
 }
 
 /// What the planners published, round by round, as lines.
@@ -65,6 +92,24 @@ class Convergence {
 
  private:
   std::uint32_t noted_ = 0;
+  std::string lines_;
+};
+
+/// Where everybody was at the end of each flight step, the starts as step 0, as lines.
+class Positions {
+ public:
+  void note(const Run& run) {
+    if (next_step_ > run.steps_flown()) return;
+    next_step_ = run.steps_flown() + 1;
+    for (const VehicleRecord& vehicle : run.world().vehicles()) {
+      const Vec3& r = vehicle.state.position_m;
+      lines_ += fmt::format("{},{},{},{},{}\n", vehicle.spec.id, run.steps_flown(), r.x(), r.y(), r.z());
+    }
+  }
+  [[nodiscard]] std::string text() const { return "vehicle,step,x_m,y_m,z_m\n" + lines_; }
+
+ private:
+  std::uint32_t next_step_ = 0;
   std::string lines_;
 };
 
@@ -97,29 +142,42 @@ CurveFiles curve_files(const std::filesystem::path& folder, std::size_t row, con
   return {folder, fmt::format("{}-{}", row + 1, name)};
 }
 
-void write_zones(const Mission& mission, const CurveFiles& files) {
+void write_zones(const Scenario& scenario, const CurveFiles& files) {
   std::error_code error;
   std::filesystem::create_directories(files.folder, error);
   if (error) throw CurvesNotWritten(fmt::format("cannot make {}: {}", files.folder.string(), error.message()));
-  std::string text = "zone,no_fly,x_m,y_m,z_min_m,z_max_m\n";
-  for (std::size_t i = 0; i < mission.zones.size(); ++i) {
-    const Zone& zone = mission.zones[i];
-    const Interval heights_m = std::visit([](const auto& shape) { return heights_of(shape); }, zone.shape);
-    for (const Vec2& corner : std::visit([](const auto& shape) { return outline_of(shape); }, zone.shape)) {
-      text += fmt::format("{},{:d},{},{},{},{}\n", i + 1, static_cast<int>(zone.no_fly), corner.x(), corner.y(),
-                          heights_m.min, heights_m.max);
-    }
+  std::string text = "zone,no_fly,x_m,y_m,z_min_m,z_max_m,hidden\n";
+  const auto outline = [](const auto& shape) { return outline_of(shape); };
+  std::size_t number = 0;
+  for (const Zone& zone : scenario.mission.zones) {
+    const ZoneKind kind = zone.no_fly ? ZoneKind::NoFly : ZoneKind::Obstacle;
+    text += zone_text(++number, kind, std::visit(outline, zone.shape));
+  }
+  for (const Obstacle& obstacle : scenario.world.hidden) {
+    text += zone_text(++number, ZoneKind::Hidden, std::visit(outline, obstacle.shape));
   }
   write(files, "zones", text);
 }
 
 InProcessResult run_with_curves(const Scenario& scenario, const CurveFiles& files) {
   Convergence convergence;
+  Positions positions;
+  const bool transit = scenario.mission.transit.has_value();
   InProcessOptions options;
-  options.on_round = [&](const WorldSession& session) { convergence.note(session.run()); };
+  options.on_round = [&](const WorldSession& session) {
+    if (transit) {
+      positions.note(session.run());
+    } else {
+      convergence.note(session.run());
+    }
+  };
   InProcessResult result = run_in_process(scenario, options);
-  write(files, "paths", paths_text(scenario.mission, result.report.at("vehicles")));
-  write(files, "convergence", convergence.text());
+  if (transit) {
+    write(files, "positions", positions.text());
+  } else {
+    write(files, "paths", paths_text(scenario.mission, result.report.at("vehicles")));
+    write(files, "convergence", convergence.text());
+  }
   return result;
 }
 

@@ -6,8 +6,11 @@
 //   <stem>-convergence.csv  vehicle, round, generation, cost, path_length_m: what each planner published in each
 //                           planning round; cost is the modified one (Eq. 14, own cost without cooperation), in the
 //                           mission's length units
-//   <stem>-zones.csv        zone, no_fly, x_m, y_m, z_min_m, z_max_m: the outline of each zone, closed
-// Complexity: O(vehicles x (points + rounds)).
+//   <stem>-positions.csv    of a transit, instead of both: vehicle, step, x_m, y_m, z_m: where each vehicle was at
+//                           the end of each flight step; step 0 is its start
+//   <stem>-zones.csv        zone, no_fly, x_m, y_m, z_min_m, z_max_m, hidden: the outline of each zone from above,
+//                           closed; of a mesh its bounding box, of the ground none. Hidden: agents are not told of it
+// Complexity: O(vehicles x (points + rounds + steps)).
 #pragma once
 
 #include <filesystem>
@@ -34,10 +37,10 @@ struct CurveFiles {
 [[nodiscard]] CurveFiles curve_files(const std::filesystem::path& folder, std::size_t row, const std::string& title);
 
 /// Makes the folder if need be, and writes the zones. @throws CurvesNotWritten
-void write_zones(const Mission& mission, const CurveFiles& files);
+void write_zones(const Scenario& scenario, const CurveFiles& files);
 
-/// The run of the scenario, as run_in_process without options, and its paths and convergence, written when it has
-/// ended. A vehicle that published no plan has no path. @throws CurvesNotWritten
+/// The run of the scenario, as run_in_process without options, and its paths and convergence, or positions, written
+/// when it has ended. A vehicle that published no plan has no path. @throws CurvesNotWritten
 [[nodiscard]] InProcessResult run_with_curves(const Scenario& scenario, const CurveFiles& files);
 
 }  // namespace skein

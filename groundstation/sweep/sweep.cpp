@@ -139,7 +139,7 @@ SweepResult run_sweep(const SweepPlan& plan) {
     scenarios.push_back(load(plan, set, plan.first_seed));
     if (!plan.curves.empty()) curves.push_back(curve_files(plan.curves, curves.size(), title_of(empty_row(set))));
   }
-  for (std::size_t i = 0; i < curves.size(); ++i) write_zones(scenarios[i].mission, curves[i]);
+  for (std::size_t i = 0; i < curves.size(); ++i) write_zones(scenarios[i], curves[i]);
   const std::size_t total = combinations.size() * plan.runs;
   std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));
   std::atomic<std::size_t> next{0};

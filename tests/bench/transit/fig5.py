@@ -2,9 +2,11 @@
 """Fig. 5 of papers/004 again: 3, 5, 7 and 9 UAVs across the power station, in cells of 2, 4 and 6 m, by each planner.
 
 fig5.py --bin build/release/bin/skein [--seeds 10] [--seed 0] [--planner peach3d,peach3d-paper,peach] [--set KEY=VALUE]
-The seed draws losses, starts west of the wall and a common goal east of it, from cells that a path joins. Prints a table
-by planner and cell: arrivals; and over the flights in which all planners arrive, the median distance flown, its ratio to
-the shortest path with full knowledge, and collisions. Nothing here judges the figures.
+        [--listed]
+The seed draws losses, starts west of the wall and a common goal east of it, from cells that a path joins; with --listed
+losses alone, and starts and goal are the scenario's. Prints a table by planner and cell: arrivals; and over the flights
+in which all planners arrive, the median distance flown, its ratio to the shortest path with full knowledge, and
+collisions. Nothing here judges the figures.
 """
 
 import argparse
@@ -25,7 +27,7 @@ def sweep(arguments, planner, cell, agents):
     command = [arguments.bin, "sweep", str(SCENARIO), "--json", "--runs", str(arguments.seeds), "--seed",
                str(arguments.seed), "--set", f"planner.name={planner}", "--set", f"planner.cell_m={cell}", "--set",
                f"vehicles.agents={agents}"]
-    for item in DRAW[:] + arguments.set:
+    for item in ([] if arguments.listed else DRAW) + arguments.set:
         command += ["--set", item]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     if ended.returncode != 0:
@@ -49,6 +51,7 @@ def main():
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--planner", default="peach3d,peach3d-paper,peach")
     parser.add_argument("--set", action="append", default=["radio.loss=0.1"])
+    parser.add_argument("--listed", action="store_true", help="starts and goal as in the scenario, not drawn")
     arguments = parser.parse_args()
     planners = arguments.planner.split(",")
     print("| cell (m) | planner | arrived | median, all arrive (m) | over the shortest | median of its arrivals (m) | "

@@ -132,6 +132,37 @@ TEST(Curves, OfSpaceAgreeWithTheReport) {
   EXPECT_GT(most_torsion_per_m, 1e-4);
 }
 
+TEST(Curves, OfATransitAreThePositionsOfEveryStep) {
+  const Folder folder;
+  SweepPlan plan = plan_of("tests/data/small-transit.yaml", folder.path());
+  plan.runs = 1;
+  const auto figures = run_sweep(plan).rows[0].at("per_run")[0].at("figures");
+  const std::string stem = plan.curves + "/1-as_in_the_scenario-";
+  EXPECT_FALSE(fs::exists(stem + "paths.csv"));
+  std::map<int, double> chords_m;
+  std::map<int, std::map<std::string, double>> last;
+  const auto rows = rows_of(stem + "positions.csv");
+  for (const auto& row : rows) {
+    const int id = static_cast<int>(row.at("vehicle"));
+    if (last.contains(id)) {
+      EXPECT_EQ(row.at("step"), last[id].at("step") + 1.0);
+      chords_m[id] += std::hypot(row.at("x_m") - last[id].at("x_m"), row.at("y_m") - last[id].at("y_m"));
+    } else {
+      EXPECT_EQ(row.at("step"), 0.0);
+    }
+    last[id] = row;
+  }
+  EXPECT_EQ(chords_m.size(), 2U);
+  for (const auto& [id, metres] : chords_m) {
+    EXPECT_EQ(last[id].at("step"), figures.at("steps").get<double>());
+    EXPECT_NEAR(metres, figures.at("vehicles." + std::to_string(id) + ".path_length_m"), 1e-6);
+  }
+  EXPECT_EQ(rows.size(), chords_m.size() * (figures.at("steps").get<std::size_t>() + 1));
+  const auto corners = rows_of(stem + "zones.csv");
+  EXPECT_EQ(corners.size(), 5U);
+  for (const auto& corner : corners) EXPECT_EQ(corner.at("hidden"), 1.0);
+}
+
 TEST(Curves, ChangeNoResult) {
   const Folder folder;
   SweepPlan plan = plan_of("tests/data/small.yaml", folder.path());
