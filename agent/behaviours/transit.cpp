@@ -157,8 +157,8 @@ std::optional<ObstacleMapSample> TransitBehaviour::compose(const Tick& tick, con
   ObstacleMapSample sample;
   sample.intent = decision_.next;
   bool worth_it = is_crowded(sense);
-  if (transit.planner.share_maps != 0.0 && allowance.map_slot && !sense.heard.empty()) {
-    const std::vector<MapPeer> peers = peers_in_reach(sense);
+  const std::vector<MapPeer> peers = peers_in_reach(sense);
+  if (transit.planner.share_maps != 0.0 && allowance.map_slot && !peers.empty()) {
     MapRequest request;
     request.budget_bytes = allowance.payload_bytes;
     request.round = tick.round;

@@ -1,10 +1,12 @@
-// An agent session whose world and peers are played by the test: agent 1 of the scenario tests/data/small.yaml.
+// An agent session whose world and peers are played by the test: agent 1 of the scenario tests/data/small.yaml, or of
+// another one there.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agent/runtime/agent_session.hpp"
@@ -16,8 +18,9 @@ inline constexpr std::uint64_t kRun = 42;
 inline constexpr std::uint64_t kNonce = 101;
 inline constexpr std::uint64_t kPeerNonce = 102;
 
-inline Mission small_mission() {
-  ScenarioResult result = load_scenario(SKEIN_SOURCE_DIR "/tests/data/small.yaml", {}, std::nullopt);
+/// @param name of a file in tests/data
+inline Mission small_mission(const std::string& name = "small") {
+  ScenarioResult result = load_scenario(SKEIN_SOURCE_DIR "/tests/data/" + name + ".yaml", {}, std::nullopt);
   if (const auto* fault = std::get_if<ScenarioFault>(&result)) throw std::runtime_error(fault->line());
   return std::get<Scenario>(result).mission;
 }
@@ -38,14 +41,15 @@ class FakeAgentPort final : public bus::AgentPort {
 
 class PlayedWorld {
  public:
-  explicit PlayedWorld(AgentId id = 1) : session(id, kNonce, port, 0.0) {}
+  explicit PlayedWorld(AgentId id = 1, Mission told = small_mission())
+      : mission(std::move(told)), session(id, kNonce, port, 0.0) {}
 
   void at(double now_s) { session.poll(now_s); }
   template <typename Value>
   void say(const Value& value) {
     port.arrived.push_back(to_wire(value, {0, kRun}));
   }
-  void say_mission(std::uint64_t run = kRun) { port.arrived.push_back(to_wire(small_mission(), {0, run})); }
+  void say_mission(std::uint64_t run = kRun) { port.arrived.push_back(to_wire(mission, {0, run})); }
 
   /// A tick whose roster is agents 1 and 2, which counts agent 2's representative if asked.
   static Tick tick(std::uint32_t round, Phase phase, bool counts = false) {
@@ -79,13 +83,17 @@ class PlayedWorld {
     port.sent.clear();
   }
 
-  /// The beacons published since the last call; representatives are in `samples` in the same way.
+  /// The beacons published since the last call; representatives are in `samples`, obstacle maps in `maps` in the same
+  /// way.
   std::vector<Beacon> take_beacons() {
     std::vector<Beacon> beacons;
     samples.clear();
+    maps.clear();
     for (const auto& sample : port.sent) {
       if (const auto* beacon = std::get_if<wire::Beacon>(&sample)) {
         beacons.push_back(from_wire(*beacon, {}).value());
+      } else if (const auto* map = std::get_if<wire::ObstacleMap>(&sample)) {
+        maps.push_back(from_wire(*map, {}).value());
       } else {
         samples.push_back(from_wire(std::get<wire::Representative>(sample), {}).value());
       }
@@ -94,9 +102,11 @@ class PlayedWorld {
     return beacons;
   }
 
+  Mission mission;
   FakeAgentPort port;
   AgentSession session;
   std::vector<Representative> samples;
+  std::vector<ObstacleMapSample> maps;
 };
 
 }  // namespace skein::test

@@ -222,7 +222,7 @@ TEST(Refusal, Beacon) {
                      {"beacon.matched", BadOrder, [](W& b) { b.matched()[1] = b.matched()[0]; }},
                      {"beacon.needs.agent", UnknownAgent, [](W& b) { b.needs()[0].agent(0); }},
                      {"beacon.needs.topic", BadEnum, [](W& b) { b.needs()[1].topic(2); }},
-                     {"beacon.mode", BadEnum, [](W& b) { b.mode(8); }},
+                     {"beacon.mode", BadEnum, [](W& b) { b.mode(10); }},
                      {"beacon.failing", BadEnum, [](W& b) { b.failing(255); }},
                      {"beacon.failing_peer", UnknownAgent, [](W& b) { b.failing_peer(2); }},
                      {"beacon.own", NonFinite, [](W& b) { b.own().position_m().z(kNan); }},

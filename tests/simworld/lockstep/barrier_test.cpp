@@ -41,6 +41,26 @@ TEST(Barrier, WaitsForTheSampleThatABeaconCounts) {
   EXPECT_EQ(barrier.answer_of(1)->representative, representative(1, 4));
 }
 
+TEST(Barrier, WaitsForTheObstacleMapThatABeaconCounts) {
+  Barrier barrier = open_round(4);
+  barrier.accept(closing(2, 4));
+  Beacon beacon = closing(1, 4);
+  beacon.representative = true;
+  beacon.obstacle_map = true;
+  EXPECT_TRUE(barrier.accept(beacon));
+  EXPECT_TRUE(barrier.accept(representative(1, 4)));
+  EXPECT_FALSE(barrier.complete());
+  EXPECT_FALSE(barrier.accept(test::map_sample(1, 3)));
+  EXPECT_FALSE(barrier.accept(test::map_sample(3, 4)));
+  EXPECT_EQ(barrier.waiting_for(), (std::vector<AgentId>{1}));
+  EXPECT_EQ(barrier.lacking_beacons(), 0U);
+  EXPECT_TRUE(barrier.accept(test::map_sample(1, 4)));
+  EXPECT_TRUE(barrier.complete());
+  EXPECT_FALSE(barrier.accept(test::map_sample(1, 4, 2))) << "a copy changes nothing";
+  EXPECT_EQ(barrier.answer_of(1)->obstacle_map, test::map_sample(1, 4));
+  EXPECT_FALSE(barrier.answer_of(2)->obstacle_map.has_value());
+}
+
 TEST(Barrier, CountsTheBeaconsThatItLacks) {
   Barrier barrier = open_round(4);
   EXPECT_EQ(barrier.lacking_beacons(), 2U);

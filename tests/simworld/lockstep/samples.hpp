@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/core/lockstep/map_sample.hpp"
 #include "planner/core/lockstep/samples.hpp"
 
 namespace skein::test {
@@ -49,6 +50,19 @@ inline Representative representative(AgentId id, std::uint32_t round) {
   sample.round = round;
   sample.particle = {1.0 * id, 2.0};
   sample.own_length_m = sample.path_length_m = 900.0 + id;
+  return sample;
+}
+
+/// An intent for the next decision, and the agent's own first contribution to `tiles` tiles.
+inline ObstacleMapSample map_sample(AgentId id, std::uint32_t round, std::uint32_t tiles = 1) {
+  ObstacleMapSample sample;
+  sample.run = kRun;
+  sample.agent = id;
+  sample.incarnation = 1;
+  sample.round = round;
+  sample.intent.decision = round;
+  sample.intent.on_behalf_of = id;
+  for (std::uint32_t tile = 0; tile < tiles; ++tile) sample.tiles.push_back({id, tile, 0, tile + 1, {3, 0}});
   return sample;
 }
 

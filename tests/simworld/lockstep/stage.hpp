@@ -39,7 +39,11 @@ class FakeControl final : public ProcessControl {
 class Stage {
  public:
   explicit Stage(AgentId count, SessionOptions options = {}, ProcessControl* control = nullptr)
-      : count_(count), session(scenario(count), with_ids(std::move(options)), port, control, 0.0) {}
+      : Stage(scenario(count), std::move(options), control) {}
+  /// @pre the vehicles are 1 to their count
+  explicit Stage(const Scenario& scenario, SessionOptions options = {}, ProcessControl* control = nullptr)
+      : count_(static_cast<AgentId>(scenario.mission.vehicles.size())),
+        session(scenario, with_ids(std::move(options)), port, control, 0.0) {}
 
   /// Everything of one kind that was published since the last call.
   template <typename Wire>

@@ -39,6 +39,35 @@ TEST(Overrides, EnterTheScenarioHashAndNotTheText) {
   EXPECT_EQ(plain.text, changed.text);
 }
 
+Scenario transit_with(const std::vector<Override>& overrides) {
+  return scenario_of(load_scenario(kDataDir + "small-transit.yaml", overrides, std::nullopt));
+}
+
+TEST(FlagOverrides, AgentsAreTheVehiclesOfATransitOrOfARing) {
+  EXPECT_EQ(transit_with({}).mission.vehicles.size(), 2U);
+  const Mission one = transit_with({{std::string(kAgentsFlag), "1"}}).mission;
+  ASSERT_EQ(one.vehicles.size(), 1U);
+  EXPECT_EQ(one.vehicles[0].id, 1U);
+  EXPECT_EQ(one.transit->goals_m.size(), 1U);
+  const ScenarioResult ring =
+      load_scenario(kScenarioDir + "rendezvous-ring.yaml", std::vector<Override>{{"--agents", "7"}}, std::nullopt);
+  EXPECT_EQ(scenario_of(ring).mission.vehicles.size(), 7U);
+}
+
+TEST(FlagOverrides, TheControllerIsThePlannerOfATransit) {
+  EXPECT_EQ(transit_with({}).mission.transit->planner.name, "peach3d");
+  for (const char* name : {"peach", "peach3d-paper"}) {
+    EXPECT_EQ(transit_with({{std::string(kControllerFlag), name}}).mission.transit->planner.name, name);
+  }
+  EXPECT_EQ(fault_line(load_small({{"--controller", "peach"}})),
+            "--set --controller: only a transit has controllers to choose from; allowed: --planner");
+}
+
+TEST(FlagOverrides, ExtraStepsAreOfTheWorld) {
+  EXPECT_EQ(transit_with({}).world.extra_steps, 0U);
+  EXPECT_EQ(transit_with({{"world.extra_steps", "12"}}).world.extra_steps, 12U);
+}
+
 struct Refused {
   const char* name;
   std::vector<Override> overrides;
@@ -56,6 +85,9 @@ TEST_P(RefusedOverride, IsNamed) {
 }
 
 const Refused kRefused[] = {
+    {"ExtraStepsUnderNone",
+     {{"world.extra_steps", "-1"}},
+     "--set world.extra_steps: world.extra_steps is -1; allowed: a whole number from 0 to 10000000"},
     {"UnknownKey",
      {{"vehicles.speed", "3"}},
      "--set vehicles.speed: unknown key 'speed' in vehicles; allowed: type, speed_mps, max_curvature_per_m, "
