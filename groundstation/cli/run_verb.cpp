@@ -222,8 +222,8 @@ VerbAction add_run_verb(CLI::App& app) {
   CLI::Option* attach = verb->add_flag("--attach", arguments->attach,
                                        "watch a run that others started, until it ends; its exit code is this one's");
   verb->get_option("SCENARIO")->required(false);
-  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out", "--realtime", "--fail-fast",
-                           "--fault", "--in-process", "--roster", "--per-process"}) {
+  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out",
+                           "--realtime", "--fail-fast", "--fault", "--in-process", "--roster", "--per-process"}) {
     attach->excludes(verb->get_option(name));
   }
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");

@@ -17,9 +17,9 @@
 namespace skein {
 
 struct RadioShare {
-  double decision_s = 1.0;          ///< between two decisions
-  std::uint32_t rank = 0;           ///< of the UAV among all, by ascending id, from 0
-  std::uint32_t count = 1;          ///< of UAVs
+  double decision_s = 1.0;                    ///< between two decisions
+  std::uint32_t rank = 0;                     ///< of the UAV among all, by ascending id, from 0
+  std::uint32_t count = 1;                    ///< of UAVs
   std::size_t control_bytes = kControlBytes;  ///< CDR bytes of a sample without map
 };
 

@@ -61,7 +61,8 @@ TEST(Sensor, RangeIsToTheNearestPointOfACell) {
   const TruthGrid truth = field({"......."});
   EXPECT_EQ(drawn(truth, look(truth, reaching(3.5), 1, from(0.5, 0.5)))[0], ".....??");
   EXPECT_EQ(drawn(truth, look(truth, reaching(3.49), 1, from(0.5, 0.5)))[0], "....???");
-  EXPECT_EQ(look(truth, reaching(3.0), 1, from(3.5, 0.5)).size, (std::array<std::int32_t, 3>{7, 1, 1}));
+  const CellWindow seen = look(truth, reaching(3.0), 1, from(3.5, 0.5));
+  EXPECT_EQ((std::array<std::int32_t, 3>{seen.ni, seen.nj, seen.nk}), (std::array<std::int32_t, 3>{7, 1, 1}));
 }
 
 TEST(Sensor, APlaneHasNoHeight) {
