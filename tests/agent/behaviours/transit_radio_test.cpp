@@ -70,22 +70,29 @@ TEST(TransitHearing, WithoutSharingNoMapIsTakenOver) {
   EXPECT_FALSE(hears(mission, {peer_at(kNear)}));
 }
 
-TEST(TransitHearing, GivesWayToAnIntentOfHigherRight) {
-  // UAV 2 says that it flies into the cells ahead, or away from them
+/// Whether the UAV flies on in its second decision, when UAV 2 at (14, 26) said where it goes in `decision`.
+bool flies_on(const Vec3& to_m, std::uint32_t decision) {
   Mission mission = crossing();
   mission.transit->planner.share_maps = 0.0;
-  const auto moves = [&](bool crosses) {
-    Crossing crossing(mission);
-    crossing.step({peer_at(Vec3(14, 26, 6))});
-    ObstacleMapSample sample = told(crossing.round());
-    sample.tiles.clear();
-    sample.intent = {2, Vec3(14, 26, 6), crosses ? Vec3(16, 18, 6) : Vec3(14, 34, 6), 0, 1.0, NavStatus::Flying, 0, 2,
-                     {}};
-    crossing.step({peer_at(Vec3(14, 26, 6))}, sight_of(), {sample});
-    return crossing.last.commanded_velocity_mps.norm() > 0.0;
-  };
-  EXPECT_FALSE(moves(true));
-  EXPECT_TRUE(moves(false));
+  Crossing crossing(mission);
+  const Vec3 from_m(14, 26, 6);
+  crossing.step({peer_at(from_m)});
+  ObstacleMapSample sample = told(crossing.round());
+  sample.tiles.clear();
+  sample.intent = {decision, from_m, to_m, 0, 1.0, NavStatus::Flying, 0, 2, {}};
+  crossing.step({peer_at(from_m)}, sight_of(), {sample});
+  return crossing.last.commanded_velocity_mps.norm() > 0.0;
+}
+
+TEST(TransitHearing, GivesWayToAnIntentOfHigherRight) {
+  EXPECT_FALSE(flies_on(Vec3(16, 18, 6), 2));
+  EXPECT_TRUE(flies_on(Vec3(14, 34, 6), 2)) << "away from it";
+}
+
+TEST(TransitHearing, AnIntentStandsForItsDecisionAlone) {
+  // of whom it did not hear for this decision it keeps clear as far as that can fly
+  EXPECT_FALSE(flies_on(Vec3(14, 34, 6), 1));
+  EXPECT_FALSE(flies_on(Vec3(14, 34, 6), 3));
 }
 
 Mission unshared() {

@@ -61,8 +61,8 @@ TEST(Sensor, RangeIsToTheNearestPointOfACell) {
   const TruthGrid truth = field({"......."});
   EXPECT_EQ(drawn(truth, look(truth, reaching(3.5), 1, from(0.5, 0.5)))[0], ".....??");
   EXPECT_EQ(drawn(truth, look(truth, reaching(3.49), 1, from(0.5, 0.5)))[0], "....???");
-  const CellWindow all = look(truth, reaching(3.0), 1, from(3.5, 0.5));
-  EXPECT_EQ((std::array{all.ni, all.nj, all.nk}), (std::array{7, 1, 1}));
+  const CellWindow seen = look(truth, reaching(3.0), 1, from(3.5, 0.5));
+  EXPECT_EQ((std::array<std::int32_t, 3>{seen.ni, seen.nj, seen.nk}), (std::array<std::int32_t, 3>{7, 1, 1}));
 }
 
 TEST(Sensor, APlaneHasNoHeight) {
