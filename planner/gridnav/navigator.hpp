@@ -12,7 +12,8 @@
 // Promise of peach3d: one UAV, see steer/peach3d.hpp. Several: whoever is first in the order is asked for nothing and
 // held up only by others that are asked; where every two neighbouring cells lie on a cycle it gets through, and in a
 // corridor if the others find a bay, or room to back off, within the cells they have seen. Limits: layouts in which the
-// first must itself give way for a solution may end as Deadlock; with samples lost everything takes longer.
+// first must itself give way for a solution may end as Deadlock; with samples lost everything takes longer;
+// a vehicle that hovers without an agent says nothing, so that others keep clear of all that it could reach, for good.
 // Precondition: the radio reaches beyond twice the way of a decision and two radii, and sum of radii and margin fit
 // into a cell edge. Source: papers/004, section III. Departs from source: see steer/ and traffic/.
 // Complexity: of the planner; else O(neighbours).

@@ -25,8 +25,9 @@ ScenarioFault file_fault(const std::string& path, std::string_view what) {
 
 ScenarioFault fault_at(const std::string& path, const scenario::ReadFault& fault) {
   const scenario::Place& place = fault.place();
+  const bool is_flag = place.set_key == kAgentsFlag || place.set_key == kControllerFlag;
   return {place.set_key.empty() ? fmt::format("{}:{}:{}", path, place.line, place.column)
-                                : fmt::format("--set {}", scenario::on_one_line(place.set_key)),
+                                : fmt::format("{}{}", is_flag ? "" : "--set ", scenario::on_one_line(place.set_key)),
           fault.what()};
 }
 

@@ -60,7 +60,7 @@ TEST(FlagOverrides, TheControllerIsThePlannerOfATransit) {
     EXPECT_EQ(transit_with({{std::string(kControllerFlag), name}}).mission.transit->planner.name, name);
   }
   EXPECT_EQ(fault_line(load_small({{"--controller", "peach"}})),
-            "--set --controller: only a transit has controllers to choose from; allowed: --planner");
+            "--controller: only a transit has controllers to choose from; allowed: --planner");
 }
 
 TEST(FlagOverrides, ExtraStepsAreOfTheWorld) {
