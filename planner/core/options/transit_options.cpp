@@ -36,7 +36,9 @@ std::optional<OptionFault> validate(const TransitOptions& options) {
                                            fmt::join(kTransitPlanners, ", "))};
   }
   if (auto fault = out_of_range(options, kTransitFields)) return fault;
-  for (const auto& [key, value] : {std::pair{"patience", options.patience}, {"share_maps", options.share_maps}}) {
+  for (const auto& [key, value] : {std::pair{"patience", options.patience},
+                                   {"share_maps", options.share_maps},
+                                   {"known_line", options.known_line}}) {
     if (std::floor(value) != value)
       return OptionFault{key, fmt::format("{} is {}; allowed: whole numbers", key, value)};
   }

@@ -24,6 +24,7 @@ struct TransitOptions {
   double minimum_raise = 0.5;        ///< by which the potential of a local minimum grows, in alphas
   double patience = 40.0;            ///< decisions without progress after which a UAV goes to the back of the order
   double share_maps = 1.0;           ///< 1: obstacle maps go on air; 0: every UAV keeps its own
+  double known_line = 1.0;  ///< peach3d-paper, mode 1: 1: the line is free as far as known; 0: as a sensor reaches
 
   bool operator==(const TransitOptions&) const = default;
 };
@@ -62,7 +63,7 @@ struct OptionField {
   double max;
 };
 
-inline constexpr std::array<OptionField<TransitOptions>, 7> kTransitFields{{
+inline constexpr std::array<OptionField<TransitOptions>, 8> kTransitFields{{
     {"cell_m", &TransitOptions::cell_m, "m", 0.1, 1000},
     {"cell_height_m", &TransitOptions::cell_height_m, "m", 0.1, 1000},
     {"decision_s", &TransitOptions::decision_s, "s", 1e-3, 60},
@@ -70,6 +71,7 @@ inline constexpr std::array<OptionField<TransitOptions>, 7> kTransitFields{{
     {"minimum_raise", &TransitOptions::minimum_raise, "", 1e-3, 1e3},
     {"patience", &TransitOptions::patience, "", 1, 1e6},
     {"share_maps", &TransitOptions::share_maps, "", 0, 1},
+    {"known_line", &TransitOptions::known_line, "", 0, 1},
 }};
 inline constexpr std::array<OptionField<RadioOptions>, 6> kRadioFields{{
     {"range_m", &RadioOptions::range_m, "m", 0, 1e6},

@@ -15,7 +15,7 @@ bool Peach3dPaper::clear(const KnownMap& map, const Vec3& a, const Vec3& b) cons
 
 bool Peach3dPaper::goal_in_line(const Situation& at) const {
   const double apart_m = (task_.goal_m - at.start_m).norm();
-  const double look_m = task_.known_line ? apart_m : std::min(apart_m, task_.sensor_range_m);
+  const double look_m = task_.options.known_line != 0.0 ? apart_m : std::min(apart_m, task_.sensor_range_m);
   if (apart_m < 1e-9) return true;
   return clear(at.map, at.start_m, at.start_m + (look_m / apart_m) * (task_.goal_m - at.start_m));
 }

@@ -6,7 +6,7 @@
 //           that has a cell around not visited, and the potential of those left behind is raised by alpha
 // The list is kept until something is known on it, a neighbour stands beside its first leg, or the mode changes.
 // Source: papers/004, Algorithms 2 and 3, section III-D2. Departs from source: readings, since details are left to its
-// reference [10]: mode 1 looks along the whole line (Task::known_line; false: as far as the sensor reaches); the walk
+// reference [10]: mode 1 looks along the whole line (option known_line; 0: as far as the sensor reaches); the walk
 // of Algorithm 3 ends after kMostSteps cells; when a dead end is left; and those of potential_table.hpp. It may never
 // arrive. Complexity: O(steps of the walk) when the list is made anew.
 #pragma once

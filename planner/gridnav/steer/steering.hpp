@@ -25,7 +25,6 @@ struct Task {
   double step_m = 0.0;    ///< way in one decision, at most
   double sensor_range_m = 0.0;
   TransitOptions options;
-  bool known_line = true;  ///< peach3d-paper: mode 1 needs the whole line free as known, not only what a sensor reaches
 };
 
 struct Situation {

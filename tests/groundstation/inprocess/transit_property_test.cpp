@@ -57,6 +57,18 @@ TEST(Transit, TheFlightsOfTheFifthFigureAllArrive) {
   EXPECT_EQ(arrived, 72U);
 }
 
+TEST(Transit, HowFarThePapersLineIsKnownFreeIsAChoice) {
+  std::vector<double> flown_m;
+  for (const char* known : {"0", "1"}) {
+    const auto scenario = transit_scenario("transit-power-station", 1,
+                                           {{"planner.name", "peach3d-paper"}, {"planner.known_line", known}});
+    const Json report = run_in_process(scenario, {}).report;
+    EXPECT_EQ(report.at("collisions"), 0) << known;
+    flown_m.push_back(report.at("total_path_m").get<double>());
+  }
+  EXPECT_NE(flown_m[0], flown_m[1]);
+}
+
 /// The first flight step at whose end every group hears every other, after a time in which not; 0 if there is none.
 std::uint32_t meeting_step(const Json& report) {
   bool apart = false;
