@@ -19,13 +19,6 @@ std::size_t rank_of(const Mission& mission, AgentId id) {
   return static_cast<std::size_t>(&vehicle_of(mission, id) - mission.vehicles.data());
 }
 
-RadioShare share_of(const Mission& mission, AgentId self) {
-  return {.decision_s = transit_of(mission).planner.decision_s,
-          .rank = static_cast<std::uint32_t>(rank_of(mission, self)),
-          .count = static_cast<std::uint32_t>(mission.vehicles.size()),
-          .control_bytes = payload_bytes(0, 0)};
-}
-
 AgentMode mode_of(NavStatus status) {
   switch (status) {
     case NavStatus::Arrived:
@@ -53,7 +46,7 @@ TransitBehaviour::TransitBehaviour(const Mission& mission, AgentId self)
       steps_per_decision_(steps_per_decision(mission)),
       navigator_(mission, self),
       map_(grid_of(transit_of(mission)), self, ids_of(mission)),
-      budget_(transit_of(mission).radio, share_of(mission, self)) {
+      budget_(transit_of(mission).radio, share_of(mission, rank_of(mission, self))) {
   last_.planned_length_m =
       (mission.transit->goals_m.at(rank_of(mission, self)) - vehicle_of(mission, self).start.position_m).norm();
 }

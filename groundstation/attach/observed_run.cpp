@@ -3,62 +3,43 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "idl/convert/convert.hpp"
 #include "planner/core/lockstep/names.hpp"
+#include "simworld/process/progress.hpp"
 
 namespace skein {
-namespace {
-
-std::string mark_of(const Tick& tick, std::size_t agents) {
-  switch (tick.phase) {
-    case Phase::Waiting:
-      return fmt::format("waiting {}", agents);
-    case Phase::Planning:
-      return fmt::format("planning {}", tick.round / 10);
-    case Phase::Flying:
-      return fmt::format("flying {}", tick.step / 200);
-    case Phase::Finished:
-      break;
-  }
-  return "finished";
-}
-
-}  // namespace
 
 void ObservedRun::take(const bus::ObserverInbound& sample) {
   std::visit([this](const auto& typed) { on_sample(typed); }, sample);
 }
 
+template <typename Plain, typename Wire>
+std::optional<Plain> ObservedRun::read(const Wire& sample) {
+  Checked<Plain> checked = from_wire(sample, {});
+  if (checked.ok()) return std::move(checked).value();
+  ++refused_;
+  return std::nullopt;
+}
+
 void ObservedRun::on_sample(const wire::Mission& sample) {
-  Checked<Mission> checked = from_wire(sample, {});
-  if (!checked.ok()) {
-    ++refused_;
-    return;
-  }
-  mission_ = std::move(checked).value();
+  if (std::optional<Mission> mission = read<Mission>(sample)) mission_ = std::move(mission);
 }
 
 void ObservedRun::on_sample(const wire::Tick& sample) {
-  Checked<Tick> checked = from_wire(sample, {});
-  if (!checked.ok()) {
-    ++refused_;
-    return;
-  }
-  const Tick& tick = checked.value();
-  if (tick_ && tick.run == tick_->run && tick.round < tick_->round) return;  // a late copy
-  if (tick_ && tick.run != tick_->run) beacons_.clear();
-  tick_ = std::move(checked).value();
+  std::optional<Tick> tick = read<Tick>(sample);
+  if (!tick) return;
+  if (tick_ && tick->run == tick_->run && tick->round < tick_->round) return;  // a late copy
+  if (tick_ && tick->run != tick_->run) beacons_.clear();
+  tick_ = std::move(tick);
 }
 
 void ObservedRun::on_sample(const wire::Beacon& sample) {
-  Checked<Beacon> checked = from_wire(sample, {});
-  if (!checked.ok()) {
-    ++refused_;
-    return;
-  }
-  Beacon& known = beacons_[checked.value().agent];
-  if (checked.value().round >= known.round) known = std::move(checked).value();
+  std::optional<Beacon> beacon = read<Beacon>(sample);
+  if (!beacon) return;
+  Beacon& known = beacons_[beacon->agent];
+  if (beacon->round >= known.round) known = *std::move(beacon);
 }
 
 nlohmann::json ObservedRun::progress() const {
@@ -81,7 +62,7 @@ nlohmann::json ObservedRun::progress() const {
           {"time_s", tick_->time_s},
           {"arrived", arrived},
           {"live", tick_->roster.size()},
-          {"mark", mark_of(*tick_, beacons_.size())}};
+          {"mark", progress_mark(tick_->phase, beacons_.size(), tick_->round, tick_->step)}};
 }
 
 nlohmann::ordered_json ObservedRun::result() const {

@@ -29,6 +29,9 @@ class ObservedRun {
   [[nodiscard]] std::uint64_t refused_samples() const { return refused_; }
 
  private:
+  /// The plain value, or nothing and a count if the sample is refused.
+  template <typename Plain, typename Wire>
+  [[nodiscard]] std::optional<Plain> read(const Wire& sample);
   void on_sample(const wire::Mission& sample);
   void on_sample(const wire::Tick& sample);
   void on_sample(const wire::Beacon& sample);

@@ -1,6 +1,7 @@
-// The bus as one who has no part in a run sees it: missions, ticks and beacons of one swarm, read best effort.
+// The bus as one who has no part in a run sees it: the latched mission, ticks and beacons of one swarm.
 //
-// An observer slows nobody: nothing waits for it, and it may come, hang and go at any time. What it misses is gone.
+// Ticks and beacons are read best effort. An observer slows nobody: nothing waits for it, and it may come, hang and go
+// at any time. What it misses is gone.
 #pragma once
 
 #include <memory>

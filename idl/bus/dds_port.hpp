@@ -1,10 +1,11 @@
 // The ports over DDS: one process owns one, or a group of agents' ports, and with it one DDS participant.
 //
-// A port is ready when constructed and leaves the bus when destroyed. Threads of DDS only queue what arrives and ring
-// an eventfd; the owner waits on wake_fd() and calls take(), which quietens it. Samples are published at once, in the
-// calling thread. UDP alone by default, with nothing in /dev/shm; Profile::Shm adds shared memory.
-// Block the signals that a process handles before it makes a port: the threads of DDS inherit the mask.
-// A port is used by one thread at a time; conflict(), matched() and wake_fd() may be asked from any.
+// A port is ready when constructed and leaves the bus when destroyed. Threads of DDS queue what arrives and ring an
+// eventfd; the owner waits on wake_fd() and calls take(), which quietens it. With a `delivery` such a thread first
+// tries to serve in the owner's place (idl/process/turn.hpp). Samples are published at once, in the calling thread. UDP
+// alone by default, with nothing in /dev/shm; Profile::Shm adds shared memory. Block the signals that a process handles
+// before it makes a port: the threads of DDS inherit the mask. A port is used by one thread at a time; conflict(),
+// matched() and wake_fd() may be asked from any.
 #pragma once
 
 #include <chrono>

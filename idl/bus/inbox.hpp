@@ -3,7 +3,7 @@
 // Listeners put and never block; the owner polls wake_fd() and drains. When the queue is full its oldest sample goes
 // and is counted: the lockstep protocol asks again for what it lacks.
 //
-// The owner's own thread need not be woken if the thread that delivers can serve it at once (Delivery): that saves a
+// The owner's own thread need not be woken if the thread that delivers can serve in its place (Delivery): that saves a
 // change of threads a round. A wake-up costs more than a sample, and an owner that waits for n samples can do nothing
 // with fewer. So it may say how many counted samples it waits for (wake_after), and is woken once: of N agents' round,
 // by N wake-ups instead of N^2.

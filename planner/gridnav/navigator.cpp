@@ -16,7 +16,7 @@ Task task_of(const Mission& mission, AgentId self) {
   const auto index = static_cast<std::size_t>(&vehicle - mission.vehicles.data());
   if (index >= transit.goals_m.size()) throw std::invalid_argument("a vehicle has no goal");
   Task task;
-  task.grid = grid_over(transit.area, transit.planner.cell_m, transit.planner.cell_height_m);
+  task.grid = grid_of(transit);
   task.goal_m = transit.goals_m[index];
   task.goal_radius_m = transit.goal_radius_m;
   task.radius_m = vehicle.radius_m;

@@ -20,13 +20,9 @@ RadioLog::RadioLog(const Mission& mission)
       seed_(mission.seed),
       steps_per_decision_(steps_per_decision(mission)),
       slot_bits_(0.0) {
-  RadioShare share{.decision_s = mission.transit->planner.decision_s,
-                   .rank = 0,
-                   .count = static_cast<std::uint32_t>(mission.vehicles.size()),
-                   .control_bytes = payload_bytes(0, 0)};
-  for (const VehicleSpec& vehicle : mission.vehicles) {
-    slot_bits_ = budgets_.try_emplace(vehicle.id, options_, share).first->second.slot_bits();
-    ++share.rank;
+  for (std::size_t rank = 0; rank < mission.vehicles.size(); ++rank) {
+    const auto placed = budgets_.try_emplace(mission.vehicles[rank].id, options_, share_of(mission, rank));
+    slot_bits_ = placed.first->second.slot_bits();
   }
 }
 

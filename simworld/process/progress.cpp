@@ -11,20 +11,24 @@ namespace {
 
 std::string mark_of(const WorldSession& session) {
   const Run& run = session.run();
-  switch (run.phase()) {
+  return progress_mark(run.phase(), session.introduced(), run.rounds(), run.step());
+}
+
+}  // namespace
+
+std::string progress_mark(Phase phase, std::size_t introduced, std::uint32_t round, std::uint32_t step) {
+  switch (phase) {
     case Phase::Waiting:
-      return fmt::format("waiting {}", session.introduced());
+      return fmt::format("waiting {}", introduced);
     case Phase::Planning:
-      return fmt::format("planning {}", run.rounds() / 10);
+      return fmt::format("planning {}", round / 10);
     case Phase::Flying:
-      return fmt::format("flying {}", run.step() / 200);
+      return fmt::format("flying {}", step / 200);
     case Phase::Finished:
       break;
   }
   return "finished";
 }
-
-}  // namespace
 
 nlohmann::json progress_of(const WorldSession& session) {
   const Run& run = session.run();

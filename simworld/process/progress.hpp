@@ -9,6 +9,9 @@
 
 namespace skein {
 
+/// What changes when a person wants to read a new line of progress.
+[[nodiscard]] std::string progress_mark(Phase phase, std::size_t introduced, std::uint32_t round, std::uint32_t step);
+
 /// The state of a run in the words of the progress display: {"phase", "introduced", "matched", "agents", "round",
 /// "generation", "longest_m", "step", "time_s", "arrived", "live", "mark"}. The mark changes with what a person wants
 /// to read a line about: the phase, the number of introduced agents, every ten planning rounds, every 200 steps.

@@ -64,7 +64,7 @@ void check_transit(const Scenario& scenario, const Places& places) {
   const Mission& mission = scenario.mission;
   check_options(mission, places);
   check_apart(mission, places);
-  const TruthGrid truth(cells_of(mission), all_obstacles(mission, scenario.world.hidden));
+  const TruthGrid truth(grid_of(*mission.transit), all_obstacles(mission, scenario.world.hidden));
   for (std::size_t i = 0; i < mission.vehicles.size(); ++i) {
     const VehicleSpec& vehicle = mission.vehicles[i];
     const Vec3& goal_m = mission.transit->goals_m[i];

@@ -118,7 +118,7 @@ void read_options(const MapReader& root, TransitMission& transit, LockstepOption
 void place_given(const MapReader& root, const MapReader& vehicles, const VehicleSpec& common, Mission& mission,
                  Places& places) {
   TransitMission& transit = *mission.transit;
-  const CellGrid grid = cells_of(mission);
+  const CellGrid grid = grid_of(*mission.transit);
   const double z_m = grid.centre_m({0, 0, 0}).z();
   const Spots starts = read_spots(vehicles, "starts", z_m);
   const std::uint64_t agents = vehicles.whole("agents", 1, starts.size(), starts.size());
@@ -144,7 +144,7 @@ void place_drawn(const MapReader& root, const MapReader& vehicles, const Vehicle
       vehicles.whole("agents", 1, kMaxAgents, listed ? std::optional<std::uint64_t>(count) : std::nullopt));
   const Draw draw = read_draw(root, mission.transit->area, has_own_goals(root));
   const Place place = place_of_item(*root.find("draw"));
-  const TruthGrid truth(cells_of(mission), all_obstacles(mission, into.world.hidden));
+  const TruthGrid truth(grid_of(*mission.transit), all_obstacles(mission, into.world.hidden));
   const Drawn drawn = draw_places(draw, truth, agents, common, mission.transit->goal_radius_m, mission.seed, place);
   for (std::size_t i = 0; i < agents; ++i) {
     mission.vehicles.push_back(common);
@@ -158,7 +158,7 @@ void place_drawn(const MapReader& root, const MapReader& vehicles, const Vehicle
 
 /// The cells in which a forest grows no tree: those of given starts and goals.
 std::vector<Box> clearings(const Mission& mission) {
-  const CellGrid grid = cells_of(mission);
+  const CellGrid grid = grid_of(*mission.transit);
   std::vector<Box> boxes;
   for (const VehicleSpec& vehicle : mission.vehicles)
     boxes.push_back(grid.box_of(grid.cell_of(vehicle.start.position_m)));

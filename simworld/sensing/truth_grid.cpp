@@ -82,9 +82,4 @@ std::vector<Obstacle> all_obstacles(const Mission& mission, std::span<const Obst
   return all;
 }
 
-CellGrid cells_of(const Mission& mission) {
-  const TransitMission& transit = mission.transit.value();
-  return grid_over(transit.area, transit.planner.cell_m, transit.planner.cell_height_m);
-}
-
 }  // namespace skein

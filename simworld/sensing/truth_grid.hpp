@@ -49,7 +49,4 @@ class TruthGrid {
 /// All that stands in the way of a mission, hidden or known: `hidden`, then the mission's zones and terrain.
 [[nodiscard]] std::vector<Obstacle> all_obstacles(const Mission& mission, std::span<const Obstacle> hidden);
 
-/// The cells into which a transit's area is divided, as its agents divide it. @pre mission.transit
-[[nodiscard]] CellGrid cells_of(const Mission& mission);
-
 }  // namespace skein

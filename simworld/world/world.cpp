@@ -59,7 +59,7 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obst
   }
   if (transit_) {
     arrival_radius_m_ = transit_->goal_radius_m;
-    truth_.emplace(cells_of(mission), all_obstacles(mission, hidden_));
+    truth_.emplace(grid_of(*mission.transit), all_obstacles(mission, hidden_));
   }
   for (const Obstacle& obstacle : hidden_) hidden_bounds_.push_back(bounds_of(obstacle));
   in_hidden_.resize(vehicles_.size() * hidden_.size());

@@ -12,6 +12,14 @@ constexpr double kMostBytes = 1048576;  ///< over what any sample holds
 
 }  // namespace
 
+RadioShare share_of(const Mission& mission, std::size_t rank) {
+  RadioShare share;
+  share.decision_s = mission.transit->planner.decision_s;
+  share.rank = static_cast<std::uint32_t>(rank);
+  share.count = static_cast<std::uint32_t>(mission.vehicles.size());
+  return share;
+}
+
 RadioBudget::RadioBudget(const RadioOptions& options, const RadioShare& share)
     : options_(options),
       share_(share),

@@ -23,6 +23,9 @@ struct RadioShare {
   std::size_t control_bytes = kControlBytes;  ///< CDR bytes of a sample without map
 };
 
+/// The share of the vehicle at that rank, from 0. @pre mission.transit
+[[nodiscard]] RadioShare share_of(const Mission& mission, std::size_t rank);
+
 /// What a sample may hold.
 struct Allowance {
   bool map_slot = false;          ///< it may hold a part of the map

@@ -24,7 +24,7 @@ ScenarioResult load_small_transit(const Overrides& set = {}, std::optional<std::
 
 /// By vehicle, the shortest way with full knowledge.
 std::vector<std::optional<double>> paths_m(const Scenario& scenario) {
-  const TruthGrid truth(cells_of(scenario.mission), all_obstacles(scenario.mission, scenario.world.hidden));
+  const TruthGrid truth(grid_of(*scenario.mission.transit), all_obstacles(scenario.mission, scenario.world.hidden));
   std::vector<Vec3> starts_m;
   for (const VehicleSpec& vehicle : scenario.mission.vehicles) starts_m.push_back(vehicle.start.position_m);
   return shortest_paths_m(truth, starts_m, scenario.mission.transit->goals_m);
