@@ -17,30 +17,33 @@
 namespace skein::wire {
 
 /// The version that type names carry; processes of different versions never match.
-inline constexpr std::uint32_t kWireVersion = 4;
+inline constexpr std::uint32_t kWireVersion = 5;
 
-using v4::Area;
-using v4::Beacon;
-using v4::CellBlock;
-using v4::Crossing;
-using v4::DirectedPoint;
-using v4::Ground;
-using v4::Header;
-using v4::HeardPeer;
-using v4::Lack;
-using v4::LiveAgent;
-using v4::LogMark;
-using v4::MapPatch;
-using v4::Mission;
-using v4::NextMove;
-using v4::ObstacleMap;
-using v4::Point3;
-using v4::RendezvousPlanner;
-using v4::Representative;
-using v4::Sense;
-using v4::Tick;
-using v4::TurnedAway;
-using v4::Vehicle;
+using v5::Announced;
+using v5::Area;
+using v5::Beacon;
+using v5::CellBlock;
+using v5::Crossing;
+using v5::DirectedPoint;
+using v5::Ground;
+using v5::Header;
+using v5::HeardPeer;
+using v5::Lack;
+using v5::LiveAgent;
+using v5::LogMark;
+using v5::MapPatch;
+using v5::Mission;
+using v5::NextMove;
+using v5::ObstacleMap;
+using v5::Point3;
+using v5::RendezvousPlanner;
+using v5::Reopening;
+using v5::Representative;
+using v5::Sense;
+using v5::Sighting;
+using v5::Tick;
+using v5::TurnedAway;
+using v5::Vehicle;
 
 /// Any sample of the protocol.
 using Sample = std::variant<Mission, Tick, Sense, Representative, ObstacleMap, Beacon>;
@@ -49,6 +52,9 @@ using Sample = std::variant<Mission, Tick, Sense, Representative, ObstacleMap, B
 inline constexpr std::size_t kMaxName = 128;
 inline constexpr std::size_t kMaxVehicles = 256;
 inline constexpr std::size_t kMaxZones = 1024;
+inline constexpr std::size_t kMaxAnnounced = 64;
+inline constexpr std::size_t kMaxTracks = 256;
+inline constexpr std::size_t kMaxKnown = 64;
 inline constexpr std::size_t kMaxParticle = 16;
 inline constexpr std::size_t kMaxRefused = 256;
 inline constexpr std::size_t kMaxReason = 512;

@@ -26,7 +26,11 @@ struct RoundOutput {
   double planned_length_m = 0.0;
   double cost = 0.0;
   std::uint32_t generation = 0;
-  std::uint64_t map_hash = 0;                     ///< of its obstacle map; 0 without one
+  std::uint64_t map_hash = 0;  ///< of its obstacle map; 0 without one
+  SafetyMode safety_mode = SafetyMode::Autonomous;
+  SafetyReason safety_reason = SafetyReason::None;
+  double deviation_m = 0.0;                       ///< as in Beacon
+  double predicted_separation_m = 1e6;            ///< as in Beacon
   std::optional<Representative> representative;   ///< run, incarnation and round are filled in by the runtime
   std::optional<ObstacleMapSample> obstacle_map;  ///< the same
 };

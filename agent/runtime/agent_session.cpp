@@ -165,6 +165,7 @@ void AgentSession::answer(double now_s) {
     sign(*sent_);
     hash.add(sent_->stage).add(sent_->violated).add(std::span<const double>(sent_->particle)).add(sent_->cost);
     hash.add(sent_->own_length_m).add(sent_->path_length_m);
+    if (sent_->revision) add_to(hash, *sent_->revision);
   }
   if (sent_map_) {
     sign(*sent_map_);
@@ -216,6 +217,10 @@ Beacon AgentSession::beacon() const {
   beacon.cost = last_.cost;
   beacon.generation = last_.generation;
   beacon.map_hash = last_.map_hash;
+  beacon.safety_mode = last_.safety_mode;
+  beacon.safety_reason = last_.safety_reason;
+  beacon.deviation_m = last_.deviation_m;
+  beacon.predicted_separation_m = last_.predicted_separation_m;
   beacon.state_hash = state_hash_;
   return beacon;
 }

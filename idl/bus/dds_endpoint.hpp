@@ -29,33 +29,33 @@ template <typename Sample>
 struct Carried;
 template <>
 struct Carried<wire::Mission> {
-  using Type = v4::MissionPubSubType;
+  using Type = v5::MissionPubSubType;
   static constexpr TopicId kTopic = TopicId::Mission;
 };
 template <>
 struct Carried<wire::Tick> {
-  using Type = v4::TickPubSubType;
+  using Type = v5::TickPubSubType;
   static constexpr TopicId kTopic = TopicId::Tick;
 };
 template <>
 struct Carried<wire::Sense> {
-  using Type = v4::SensePubSubType;
+  using Type = v5::SensePubSubType;
   static constexpr TopicId kTopic = TopicId::Sense;
 };
 template <>
 struct Carried<wire::Beacon> {
-  using Type = v4::BeaconPubSubType;
+  using Type = v5::BeaconPubSubType;
   static constexpr TopicId kTopic = TopicId::Beacon;
 };
 template <>
 struct Carried<wire::Representative> {
-  using Type = v4::RepresentativePubSubType;
+  using Type = v5::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
 };
 
 template <>
 struct Carried<wire::ObstacleMap> {
-  using Type = v4::ObstacleMapPubSubType;
+  using Type = v5::ObstacleMapPubSubType;
   static constexpr TopicId kTopic = TopicId::ObstacleMap;
 };
 

@@ -34,13 +34,17 @@ void check_lists(Checker& check, const wire::Beacon& sample) {
 }
 
 void check_state(Checker& check, const wire::Beacon& sample) {
-  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Deadlock, "beacon.mode");
+  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Replanning, "beacon.mode");
   check.enumerator(sample.failing(), Constraint::None, Constraint::Terrain, "beacon.failing");
   if (sample.failing_peer() != 0) check.agent(sample.failing_peer(), "beacon.failing_peer");
   check.pose(sample.own(), "beacon.own");
   check.velocity(sample.commanded_velocity_mps(), "beacon.commanded_velocity_mps");
   check.within(sample.planned_length_m(), 0.0, limits::kLength_m, "beacon.planned_length_m");
   check.within(sample.cost(), -limits::kCost, limits::kCost, "beacon.cost");
+  check.enumerator(sample.safety_mode(), SafetyMode::Autonomous, SafetyMode::Hold, "beacon.safety_mode");
+  check.enumerator(sample.safety_reason(), SafetyReason::None, SafetyReason::NoPlan, "beacon.safety_reason");
+  check.within(sample.deviation_m(), 0.0, limits::kLength_m, "beacon.deviation_m");
+  check.within(sample.predicted_separation_m(), 0.0, limits::kLength_m, "beacon.predicted_separation_m");
 }
 
 }  // namespace
@@ -73,6 +77,10 @@ wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp) {
   out.cost(beacon.cost);
   out.generation(beacon.generation);
   out.map_hash(beacon.map_hash);
+  out.safety_mode(static_cast<std::uint8_t>(beacon.safety_mode));
+  out.safety_reason(static_cast<std::uint8_t>(beacon.safety_reason));
+  out.deviation_m(beacon.deviation_m);
+  out.predicted_separation_m(beacon.predicted_separation_m);
   out.state_hash(beacon.state_hash);
   return out;
 }
@@ -107,6 +115,10 @@ Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context
   out.cost = sample.cost();
   out.generation = sample.generation();
   out.map_hash = sample.map_hash();
+  out.safety_mode = static_cast<SafetyMode>(sample.safety_mode());
+  out.safety_reason = static_cast<SafetyReason>(sample.safety_reason());
+  out.deviation_m = sample.deviation_m();
+  out.predicted_separation_m = sample.predicted_separation_m();
   out.state_hash = sample.state_hash();
   return out;
 }

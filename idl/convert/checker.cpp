@@ -26,6 +26,19 @@ void Checker::velocity(const wire::Point3& vector, std::string_view where) {
   point(vector, limits::kSpeed_mps, where);
 }
 
+void Checker::tracks(const std::vector<wire::Sighting>& tracks, std::size_t bound, std::string_view where) {
+  size_at_most(tracks.size(), bound, where);
+  if (!ok()) return;
+  std::uint32_t before = 0;
+  for (const wire::Sighting& track : tracks) {
+    require(track.id() > before, WireFaultReason::BadOrder, where);
+    position(track.position_m(), where);
+    velocity(track.velocity_mps(), where);
+    within(track.radius_m(), 0.0, limits::kPosition_m, where);
+    before = track.id();
+  }
+}
+
 void Checker::pose(const wire::DirectedPoint& pose, std::string_view where) {
   position(pose.position_m(), where);
   within(pose.heading_rad(), -limits::kHeading_rad, limits::kHeading_rad, where);

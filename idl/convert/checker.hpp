@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "idl/convert/convert.hpp"
 
@@ -32,6 +33,8 @@ class Checker {
   }
   void position(const wire::Point3& point, std::string_view where);
   void velocity(const wire::Point3& vector, std::string_view where);
+  /// At most `bound` of them, by ascending id from 1.
+  void tracks(const std::vector<wire::Sighting>& tracks, std::size_t bound, std::string_view where);
   void pose(const wire::DirectedPoint& pose, std::string_view where);
   /// Printable: no control characters.
   void text(std::string_view value, std::string_view where);

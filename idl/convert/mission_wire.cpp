@@ -1,16 +1,15 @@
 #include <array>
 #include <utility>
 
+#include "idl/convert/area_wire.hpp"
 #include "idl/convert/checker.hpp"
 #include "idl/convert/limits.hpp"
+#include "idl/convert/option_values.hpp"
 #include "idl/convert/parts.hpp"
 #include "idl/convert/transit_wire.hpp"
 
 namespace skein {
 namespace {
-
-constexpr std::uint8_t kCylinder = 0;
-constexpr std::uint8_t kBox = 1;
 
 wire::Vehicle wire_vehicle(const VehicleSpec& spec) {
   wire::Vehicle out;
@@ -87,41 +86,6 @@ Terrain plain_terrain(const wire::Ground& ground, double unit_m) {
   return out;
 }
 
-wire::Area wire_area(const Zone& zone) {
-  wire::Area out;
-  out.no_fly(zone.no_fly);
-  if (const auto* cylinder = std::get_if<Cylinder>(&zone.shape)) {
-    out.shape(kCylinder);
-    out.min_m(wire_point({cylinder->centre_m.x(), cylinder->centre_m.y(), cylinder->z_min_m}));
-    out.max_m(wire_point({0.0, 0.0, cylinder->z_max_m}));
-    out.radius_m(cylinder->radius_m);
-  } else {
-    const auto& box = std::get<Box>(zone.shape);
-    out.shape(kBox);
-    out.min_m(wire_point(box.min_m));
-    out.max_m(wire_point(box.max_m));
-  }
-  return out;
-}
-
-Zone plain_zone(const wire::Area& area) {
-  const Vec3 low = plain_point(area.min_m());
-  const Vec3 high = plain_point(area.max_m());
-  if (area.shape() == kBox) return {Box{low, high}, area.no_fly()};
-  return {Cylinder{Vec2(low.x(), low.y()), area.radius_m(), low.z(), high.z()}, area.no_fly()};
-}
-
-void check_area(Checker& check, const wire::Area& area) {
-  check.enumerator(area.shape(), kCylinder, kBox, "mission.zones.shape");
-  check.position(area.min_m(), "mission.zones.min_m");
-  check.position(area.max_m(), "mission.zones.max_m");
-  check.within(area.radius_m(), 0.0, limits::kPosition_m, "mission.zones.radius_m");
-  const bool flat = area.shape() == kCylinder;
-  check.require(area.min_m().z() <= area.max_m().z(), WireFaultReason::BadMission, "mission.zones.max_m.z");
-  check.require(flat || area.min_m().x() <= area.max_m().x(), WireFaultReason::BadMission, "mission.zones.max_m.x");
-  check.require(flat || area.min_m().y() <= area.max_m().y(), WireFaultReason::BadMission, "mission.zones.max_m.y");
-}
-
 void check_options(Checker& check, const RendezvousOptions& options) {
   for (const RendezvousField& field : kRendezvousFields) {
     if (const auto* real = std::get_if<double RendezvousOptions::*>(&field.member)) {
@@ -129,6 +93,25 @@ void check_options(Checker& check, const RendezvousOptions& options) {
     }
   }
   check.require(!check.ok() || !validate(options).has_value(), WireFaultReason::BadOptions, "mission.planner");
+}
+
+void check_controller(Checker& check, const wire::Mission& sample) {
+  check_values(check, sample.controller_values(), kControllerFields, "mission.controller");
+  ControllerOptions named;
+  named.name = sample.controller_name().to_string();
+  check.require(!validate(named).has_value(), WireFaultReason::BadOptions, "mission.controller");
+}
+
+void check_announced(Checker& check, const wire::Mission& sample) {
+  check.size_at_most(sample.announced().size(), wire::kMaxAnnounced, "mission.announced");
+  if (!check.ok()) return;
+  for (const wire::Announced& announced : sample.announced()) {
+    check_area(check, announced.place(), "mission.announced");
+    for (const double time_s : {announced.from_s(), announced.to_s(), announced.early_s(), announced.clear_s()}) {
+      check.within(time_s, 0.0, limits::kTime_s, "mission.announced");
+    }
+    check.require(announced.from_s() <= announced.to_s(), WireFaultReason::BadMission, "mission.announced.to_s");
+  }
 }
 
 void check_scalars(Checker& check, const wire::Mission& sample) {
@@ -158,6 +141,7 @@ wire::Mission to_wire(const Mission& mission, const Stamp& stamp) {
   require_bound(mission.name.size(), wire::kMaxName, "mission.name");
   require_bound(mission.vehicles.size(), wire::kMaxVehicles, "mission.vehicles");
   require_bound(mission.zones.size(), wire::kMaxZones, "mission.zones");
+  require_bound(mission.announced.size(), wire::kMaxAnnounced, "mission.announced");
   wire::Mission out;
   out.head(wire_head(stamp.run, stamp.stamp_ns, kWorldId, 0));
   out.name(mission.name);
@@ -172,6 +156,9 @@ wire::Mission to_wire(const Mission& mission, const Stamp& stamp) {
   if (mission.terrain) out.terrain().push_back(wire_terrain(*mission.terrain));
   out.planner(wire_options(mission.planner));
   if (mission.transit) out.transit().push_back(wire_transit(*mission.transit));
+  out.controller_name(mission.controller.name);
+  out.controller_values(values_of(mission.controller, kControllerFields));
+  for (const Announcement& announced : mission.announced) out.announced().push_back(wire_announced(announced));
   return out;
 }
 
@@ -186,8 +173,10 @@ Checked<Mission> from_wire(const wire::Mission& sample, const WireContext& conte
     check.require(vehicle.agent() > before, WireFaultReason::BadOrder, "mission.vehicles");
     before = vehicle.agent();
   }
-  for (const wire::Area& area : sample.zones()) check_area(check, area);
+  for (const wire::Area& area : sample.zones()) check_area(check, area, "mission.zones");
   check_transit(check, sample);
+  check_controller(check, sample);
+  check_announced(check, sample);
 
   Mission out;
   out.planner = plain_options(sample.planner());
@@ -203,6 +192,9 @@ Checked<Mission> from_wire(const wire::Mission& sample, const WireContext& conte
   out.arrival_radius_m = sample.arrival_radius_m();
   for (const wire::Vehicle& vehicle : sample.vehicles()) out.vehicles.push_back(plain_vehicle(vehicle));
   for (const wire::Area& area : sample.zones()) out.zones.push_back(plain_zone(area));
+  out.controller = options_of(sample.controller_values(), kControllerFields);
+  out.controller.name = sample.controller_name().to_string();
+  for (const wire::Announced& announced : sample.announced()) out.announced.push_back(plain_announced(announced));
   for (const wire::Ground& ground : sample.terrain()) out.terrain = plain_terrain(ground, out.length_unit_m);
   return out;
 }

@@ -32,6 +32,8 @@ wire::RendezvousPlanner wire_options(const RendezvousOptions& options) {
   out.crossover_probability(options.crossover_probability);
   out.mutation_probability(options.mutation_probability);
   out.max_segments(options.max_segments);
+  out.replan(options.replan);
+  out.rounds_per_step(options.rounds_per_step);
   return out;
 }
 
@@ -64,6 +66,8 @@ RendezvousOptions plain_options(const wire::RendezvousPlanner& options) {
   out.crossover_probability = options.crossover_probability();
   out.mutation_probability = options.mutation_probability();
   out.max_segments = options.max_segments();
+  out.replan = options.replan();
+  out.rounds_per_step = options.rounds_per_step();
   return out;
 }
 

@@ -38,6 +38,28 @@ Pose plain_pose(const wire::DirectedPoint& pose) {
   return {plain_point(pose.position_m()), pose.heading_rad(), pose.climb_rad()};
 }
 
+std::vector<wire::Sighting> wire_tracks(const std::vector<Track>& tracks) {
+  std::vector<wire::Sighting> out(tracks.size());
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    out[i].id(tracks[i].id);
+    out[i].position_m(wire_point(tracks[i].position_m));
+    out[i].velocity_mps(wire_point(tracks[i].velocity_mps));
+    out[i].radius_m(tracks[i].radius_m);
+    out[i].column(tracks[i].column);
+    out[i].immobile(tracks[i].fixed);
+  }
+  return out;
+}
+
+std::vector<Track> plain_tracks(const std::vector<wire::Sighting>& tracks) {
+  std::vector<Track> out;
+  for (const wire::Sighting& track : tracks) {
+    out.push_back({track.id(), plain_point(track.position_m()), plain_point(track.velocity_mps()), track.radius_m(),
+                   track.column(), track.immobile()});
+  }
+  return out;
+}
+
 void require_bound(std::size_t size, std::size_t bound, const char* what) {
   if (size <= bound) return;
   throw std::invalid_argument(std::string(what) + " has " + std::to_string(size) + " elements; the wire takes " +

@@ -12,6 +12,9 @@ namespace skein {
 [[nodiscard]] Vec3 plain_point(const wire::Point3& point);
 [[nodiscard]] Pose plain_pose(const wire::DirectedPoint& pose);
 
+[[nodiscard]] std::vector<wire::Sighting> wire_tracks(const std::vector<Track>& tracks);
+[[nodiscard]] std::vector<Track> plain_tracks(const std::vector<wire::Sighting>& tracks);
+
 [[nodiscard]] wire::RendezvousPlanner wire_options(const RendezvousOptions& options);
 [[nodiscard]] RendezvousOptions plain_options(const wire::RendezvousPlanner& options);
 

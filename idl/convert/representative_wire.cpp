@@ -3,6 +3,33 @@
 #include "idl/convert/parts.hpp"
 
 namespace skein {
+namespace {
+
+wire::Reopening wire_revision(const Revision& revision) {
+  require_bound(revision.obstacles.size(), wire::kMaxKnown, "representative.revision.obstacles");
+  wire::Reopening out;
+  out.attempt(revision.attempt);
+  out.switch_step(revision.switch_step);
+  out.reason(static_cast<std::uint8_t>(revision.reason));
+  out.own(wire_pose(revision.pose));
+  out.speed_mps(revision.speed_mps);
+  out.obstacles(wire_tracks(revision.obstacles));
+  return out;
+}
+
+Revision plain_revision(const wire::Reopening& revision) {
+  return {revision.attempt(),         revision.switch_step(), static_cast<SafetyReason>(revision.reason()),
+          plain_pose(revision.own()), revision.speed_mps(),   plain_tracks(revision.obstacles())};
+}
+
+void check_revision(Checker& check, const wire::Reopening& revision) {
+  check.enumerator(revision.reason(), SafetyReason::None, SafetyReason::NoPlan, "representative.revision.reason");
+  check.pose(revision.own(), "representative.revision.pose");
+  check.within(revision.speed_mps(), 0.0, limits::kSpeed_mps, "representative.revision.speed_mps");
+  check.tracks(revision.obstacles(), wire::kMaxKnown, "representative.revision.obstacles");
+}
+
+}  // namespace
 
 wire::Representative to_wire(const Representative& representative, const Stamp& stamp) {
   require_bound(representative.particle.size(), wire::kMaxParticle, "representative.particle");
@@ -16,6 +43,7 @@ wire::Representative to_wire(const Representative& representative, const Stamp& 
   out.cost(representative.cost);
   out.own_length_m(representative.own_length_m);
   out.path_length_m(representative.path_length_m);
+  if (representative.revision) out.reopening().push_back(wire_revision(*representative.revision));
   return out;
 }
 
@@ -28,6 +56,7 @@ Checked<Representative> from_wire(const wire::Representative& sample, const Wire
   check.enumerator(sample.stage(), PlanStage::Searching, PlanStage::Settled, "representative.stage");
   check.enumerator(sample.violated(), Constraint::None, Constraint::Terrain, "representative.violated");
   check.size_at_most(sample.particle().size(), wire::kMaxParticle, "representative.particle");
+  check.size_at_most(sample.reopening().size(), 1, "representative.revision");
   check.require(context.particle_size == 0 || sample.particle().size() == context.particle_size,
                 WireFaultReason::OutOfRange, "representative.particle");
   if (!check.ok()) return check.fault();
@@ -37,6 +66,7 @@ Checked<Representative> from_wire(const wire::Representative& sample, const Wire
   check.within(sample.cost(), -limits::kCost, limits::kCost, "representative.cost");
   check.within(sample.own_length_m(), 0.0, limits::kLength_m, "representative.own_length_m");
   check.within(sample.path_length_m(), 0.0, limits::kLength_m, "representative.path_length_m");
+  for (const wire::Reopening& revision : sample.reopening()) check_revision(check, revision);
   if (!check.ok()) return check.fault();
 
   Representative out;
@@ -50,6 +80,7 @@ Checked<Representative> from_wire(const wire::Representative& sample, const Wire
   out.cost = sample.cost();
   out.own_length_m = sample.own_length_m();
   out.path_length_m = sample.path_length_m();
+  for (const wire::Reopening& revision : sample.reopening()) out.revision = plain_revision(revision);
   return out;
 }
 

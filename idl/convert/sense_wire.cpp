@@ -61,6 +61,8 @@ void check_sight(Checker& check, const wire::CellBlock& block) {
 
 wire::Sense to_wire(const Sense& sense, const Stamp& stamp) {
   require_bound(sense.heard.size(), kMaxAgents, "sense.heard");
+  require_bound(sense.tracks.size(), wire::kMaxTracks, "sense.tracks");
+  require_bound(sense.zones.size(), wire::kMaxAnnounced, "sense.zones");
   wire::Sense out;
   out.head(wire_head(sense.run, stamp.stamp_ns, kWorldId, sense.incarnation));
   out.agent(sense.agent);
@@ -76,6 +78,9 @@ wire::Sense to_wire(const Sense& sense, const Stamp& stamp) {
     peer.landed(sense.heard[i].landed);
   }
   out.sight(wire_sight(sense.sight));
+  out.tracks(wire_tracks(sense.tracks));
+  for (const ZoneState zone : sense.zones) out.zones().push_back(static_cast<std::uint8_t>(zone));
+  out.obeyed(sense.obeyed);
   return out;
 }
 
@@ -89,6 +94,11 @@ Checked<Sense> from_wire(const wire::Sense& sample, const WireContext& context) 
   check.velocity(sample.velocity_mps(), "sense.velocity_mps");
   check_heard(check, sample.heard(), sample.agent());
   check_sight(check, sample.sight());
+  check.tracks(sample.tracks(), wire::kMaxTracks, "sense.tracks");
+  check.size_at_most(sample.zones().size(), wire::kMaxAnnounced, "sense.zones");
+  for (const std::uint8_t zone : sample.zones()) {
+    check.enumerator(zone, ZoneState::Ahead, ZoneState::Clear, "sense.zones");
+  }
   if (!check.ok()) return check.fault();
 
   Sense out;
@@ -103,6 +113,9 @@ Checked<Sense> from_wire(const wire::Sense& sample, const WireContext& context) 
         {peer.agent(), plain_point(peer.position_m()), plain_point(peer.velocity_mps()), peer.landed()});
   }
   out.sight = plain_sight(sample.sight());
+  out.tracks = plain_tracks(sample.tracks());
+  for (const std::uint8_t zone : sample.zones()) out.zones.push_back(static_cast<ZoneState>(zone));
+  out.obeyed = sample.obeyed();
   return out;
 }
 

@@ -1,33 +1,11 @@
 #include "idl/convert/transit_wire.hpp"
 
 #include "idl/convert/limits.hpp"
+#include "idl/convert/option_values.hpp"
 #include "idl/convert/parts.hpp"
 
 namespace skein {
 namespace {
-
-template <typename Options, std::size_t N>
-std::vector<double> values_of(const Options& options, const std::array<OptionField<Options>, N>& fields) {
-  std::vector<double> values;
-  for (const OptionField<Options>& field : fields) values.push_back(options.*field.member);
-  return values;
-}
-
-template <typename Options, std::size_t N>
-Options options_of(const std::vector<double>& values, const std::array<OptionField<Options>, N>& fields) {
-  Options options;
-  for (std::size_t i = 0; i < N; ++i) options.*fields[i].member = values[i];
-  return options;
-}
-
-template <typename Options, std::size_t N>
-void check_values(Checker& check, const std::vector<double>& values, const std::array<OptionField<Options>, N>& fields,
-                  std::string_view where) {
-  check.require(values.size() == N, WireFaultReason::OutOfRange, where);
-  for (const double value : values) check.within(value, -limits::kCost, limits::kCost, where);
-  if (!check.ok()) return;
-  check.require(!validate(options_of(values, fields)).has_value(), WireFaultReason::BadOptions, where);
-}
 
 void check_crossing(Checker& check, const wire::Crossing& transit, std::size_t vehicles) {
   check.position(transit.area_min_m(), "mission.transit.area");

@@ -6,8 +6,13 @@ namespace skein {
 namespace {
 
 constexpr std::array<std::string_view, 4> kPhases{"waiting", "planning", "flying", "finished"};
-constexpr std::array<std::string_view, 10> kModes{"waiting", "planning", "ready",    "failed",      "flying",
-                                                  "arrived", "leaving",  "rejoined", "unreachable", "deadlock"};
+constexpr std::array<std::string_view, 11> kModes{"waiting",     "planning", "ready",     "failed",
+                                                  "flying",      "arrived",  "leaving",   "rejoined",
+                                                  "unreachable", "deadlock", "replanning"};
+constexpr std::array<std::string_view, 3> kSafetyModes{"autonomous", "controlled", "hold"};
+constexpr std::array<std::string_view, 9> kSafetyReasons{
+    "none", "obstacle", "peer", "unconfirmed", "deviation", "blocked", "stale_peer", "replanning", "no_plan"};
+constexpr std::array<std::string_view, 4> kZoneStates{"ahead", "unconfirmed", "occupied", "clear"};
 constexpr std::array<std::string_view, 8> kConstraints{"none",       "curvature", "obstacle", "no_fly",
                                                        "separation", "length",    "torsion",  "terrain"};
 constexpr std::array<std::string_view, 4> kRefusals{"", "id_in_use", "unknown_id", "run_started"};
@@ -35,6 +40,15 @@ std::string_view name_of(RefusalReason reason) {
 }
 std::string_view name_of(LossReason reason) {
   return look_up(kLosses, reason);
+}
+std::string_view name_of(SafetyMode mode) {
+  return look_up(kSafetyModes, mode);
+}
+std::string_view name_of(SafetyReason reason) {
+  return look_up(kSafetyReasons, reason);
+}
+std::string_view name_of(ZoneState state) {
+  return look_up(kZoneStates, state);
 }
 
 std::optional<LossReason> loss_reason_from(std::string_view name) {

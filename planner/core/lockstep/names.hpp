@@ -13,6 +13,9 @@ namespace skein {
 [[nodiscard]] std::string_view name_of(Constraint constraint);
 [[nodiscard]] std::string_view name_of(RefusalReason reason);
 [[nodiscard]] std::string_view name_of(LossReason reason);
+[[nodiscard]] std::string_view name_of(SafetyMode mode);
+[[nodiscard]] std::string_view name_of(SafetyReason reason);
+[[nodiscard]] std::string_view name_of(ZoneState state);
 [[nodiscard]] std::optional<LossReason> loss_reason_from(std::string_view name);
 
 }  // namespace skein

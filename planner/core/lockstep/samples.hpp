@@ -30,6 +30,35 @@ enum class AgentMode : std::uint8_t {
   Rejoined = 7,     ///< came back after a loss: takes part from the next planning on
   Unreachable = 8,  ///< knows no way to its goal; hovers, and gives way
   Deadlock = 9,     ///< finds no way past the others, and has given up
+  Replanning = 10,  ///< in flight: calls for a new plan, or takes part in making one
+};
+
+/// Who decides where a UAV flies, as its run-time monitor says (papers/000, section 2).
+enum class SafetyMode : std::uint8_t {
+  Autonomous = 0,  ///< its plan
+  Controlled = 1,  ///< its controller, off the plan: something is in the way, or a zone is not confirmed
+  Hold = 2,        ///< nobody: it waits where it is (constant speed: circles)
+};
+
+/// Why the monitor's mode is what it is, and why a new plan is called for.
+enum class SafetyReason : std::uint8_t {
+  None = 0,
+  Obstacle = 1,     ///< something sensed is in the way
+  Peer = 2,         ///< a peer will come too close
+  Unconfirmed = 3,  ///< a zone ahead is announced to be occupied, and not confirmed to be clear
+  Deviation = 4,    ///< too far from where the plan says
+  Blocked = 5,      ///< something sensed lies on the path to come, and stays
+  StalePeer = 6,    ///< a live peer is no longer heard
+  Replanning = 7,   ///< waits for a plan that the swarm is making
+  NoPlan = 8,       ///< has none that the swarm accepted: it came back, or planning failed
+};
+
+/// What the world, as its traffic control, says of an announced zone.
+enum class ZoneState : std::uint8_t {
+  Ahead = 0,        ///< the announced time is far enough away
+  Unconfirmed = 1,  ///< may be occupied at any time
+  Occupied = 2,
+  Clear = 3,  ///< the occupation is confirmed to be over
 };
 
 /// The constraint that a plan violates, in the order in which they are named.
@@ -101,6 +130,18 @@ struct HeardPeer {
   bool operator==(const HeardPeer&) const = default;
 };
 
+/// Something near that is no cell of a map and no vehicle of the swarm: it moves, or was suddenly there.
+struct Track {
+  std::uint32_t id = 0;  ///< the obstacle's, from 1: the same for all who see it
+  Vec3 position_m = Vec3::Zero();
+  Vec3 velocity_mps = Vec3::Zero();
+  double radius_m = 0.0;
+  bool column = false;  ///< an upright cylinder without ends instead of a sphere: only horizontal distance counts
+  bool fixed = false;   ///< it never moves
+
+  bool operator==(const Track&) const = default;
+};
+
 /// What one agent's own sensors tell it.
 struct Sense {
   std::uint64_t run = 0;
@@ -111,6 +152,9 @@ struct Sense {
   Vec3 velocity_mps = Vec3::Zero();
   std::vector<HeardPeer> heard;  ///< by ascending id
   CellWindow sight;              ///< the cells that its sensor saw as Free or Occupied
+  std::vector<Track> tracks;     ///< within the sensor's range, by ascending id
+  std::vector<ZoneState> zones;  ///< by announcement, as in Mission::announced
+  bool obeyed = true;            ///< its vehicle does what it commands
 
   bool operator==(const Sense&) const = default;
 };
@@ -121,6 +165,28 @@ enum class PlanStage : std::uint8_t {
   Aligning = 2,   ///< moving to the common length
   Settled = 3,    ///< at the common length, clear of every peer
 };
+
+/// What a UAV brings into a new plan under way: where it will be, how fast it is and what it has seen.
+struct Revision {
+  std::uint32_t attempt = 0;                 ///< the round in which it was called for; a later one takes its place
+  std::uint32_t switch_step = 0;             ///< the flight step in which all turn to the new plan
+  SafetyReason reason = SafetyReason::None;  ///< None: it takes part because a peer called
+  Pose pose;                                 ///< at the beginning of switch_step
+  double speed_mps = 0.0;                    ///< that it can keep
+  std::vector<Track> obstacles;              ///< fixed ones that it knows of, by ascending id
+
+  bool operator==(const Revision&) const = default;
+};
+
+inline void add_to(StateHash& hash, const Track& track) {
+  hash.add(track.id).add(track.position_m).add(track.velocity_mps).add(track.radius_m).add(track.column);
+  hash.add(track.fixed);
+}
+inline void add_to(StateHash& hash, const Revision& revision) {
+  hash.add(revision.attempt).add(revision.switch_step).add(revision.reason).add(revision.pose).add(revision.speed_mps);
+  hash.add(revision.obstacles.size());
+  for (const Track& track : revision.obstacles) add_to(hash, track);
+}
 
 /// The representative particle of a sub-swarm: the DCPSO exchange (papers/001, section 3.2.4).
 struct Representative {
@@ -134,6 +200,7 @@ struct Representative {
   double cost = 0.0;                       ///< modified cost (1 / f' of Eq. 14), in length units
   double own_length_m = 0.0;               ///< length of the particle that is best by its own fitness (Eq. 11)
   double path_length_m = 0.0;              ///< length of `particle`
+  std::optional<Revision> revision;        ///< opens a new plan under way; the rest but run to round then says nothing
 
   bool operator==(const Representative&) const = default;
 };
@@ -170,6 +237,10 @@ struct Beacon {
   double cost = 0.0;             ///< of its best particle, in length units
   std::uint32_t generation = 0;  ///< of its sub-swarm
   std::uint64_t map_hash = 0;    ///< of its obstacle map: equal maps, equal hashes; 0 without one
+  SafetyMode safety_mode = SafetyMode::Autonomous;
+  SafetyReason safety_reason = SafetyReason::None;
+  double deviation_m = 0.0;             ///< from where its plan says; 0 without one
+  double predicted_separation_m = 1e6;  ///< least to a peer's centre within the horizon; 1e6: nobody is heard
   std::uint64_t state_hash = 0;
 
   bool operator==(const Beacon&) const = default;

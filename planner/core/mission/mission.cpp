@@ -38,14 +38,19 @@ Pose slot_pose(const Mission& mission, const VehicleSpec& vehicle) {
 
 namespace {
 
-void add_zone(StateHash& hash, const Zone& zone) {
-  hash.add(zone.no_fly).add(zone.shape.index());
-  if (const auto* cylinder = std::get_if<Cylinder>(&zone.shape)) {
+void add_shape(StateHash& hash, const std::variant<Cylinder, Box>& shape) {
+  hash.add(shape.index());
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
     hash.add(cylinder->centre_m).add(cylinder->radius_m).add(cylinder->z_min_m).add(cylinder->z_max_m);
   } else {
-    const auto& box = std::get<Box>(zone.shape);
+    const auto& box = std::get<Box>(shape);
     hash.add(box.min_m).add(box.max_m);
   }
+}
+
+void add_zone(StateHash& hash, const Zone& zone) {
+  hash.add(zone.no_fly);
+  add_shape(hash, zone.shape);
 }
 
 /// What planar missions of constant-speed vehicles leave out enters the hash only when it is there.
@@ -88,6 +93,18 @@ void add_transit(StateHash& hash, const TransitMission& transit) {
   add_fields(hash, transit.sensor, kSensorFields);
 }
 
+/// Missions in which nothing is sensed or announced keep the hashes that they had before there was such a thing.
+void add_surprises(StateHash& hash, const Mission& mission) {
+  if (mission.controller != ControllerOptions{}) {
+    hash.add(std::string_view(mission.controller.name));
+    add_fields(hash, mission.controller, kControllerFields);
+  }
+  for (const Announcement& zone : mission.announced) {
+    add_shape(hash, zone.shape);
+    hash.add(zone.from_s).add(zone.to_s).add(zone.early_s).add(zone.clear_s);
+  }
+}
+
 }  // namespace
 
 std::uint64_t mission_hash(const Mission& mission) {
@@ -103,6 +120,7 @@ std::uint64_t mission_hash(const Mission& mission) {
   add_options(hash, mission.planner);
   add_space(hash, mission);
   if (mission.transit) add_transit(hash, *mission.transit);
+  add_surprises(hash, mission);
   return hash.value();
 }
 

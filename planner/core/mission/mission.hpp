@@ -15,6 +15,7 @@
 #include "planner/core/geometry/terrain.hpp"
 #include "planner/core/geometry/types.hpp"
 #include "planner/core/hash/state_hash.hpp"
+#include "planner/core/options/controller_options.hpp"
 #include "planner/core/options/rendezvous_options.hpp"
 #include "planner/core/options/transit_options.hpp"
 
@@ -58,6 +59,19 @@ struct Zone {
   bool operator==(const Zone&) const = default;
 };
 
+/// A place that something is announced to occupy for a while, such as an aircraft that takes off (papers/000, section
+/// 2.3). It may come early_s before, or any time late; from from_s - early_s on the zone is unconfirmed, until the
+/// world says that it is clear. Nobody may be in it while it is unconfirmed or occupied.
+struct Announcement {
+  std::variant<Cylinder, Box> shape;
+  double from_s = 0.0;   ///< announced begin of the occupation, simulated time
+  double to_s = 0.0;     ///< announced end
+  double early_s = 0.0;  ///< how much earlier it may begin
+  double clear_s = 0.0;  ///< before the zone is unconfirmed nobody enters any more: the time that leaving takes
+
+  bool operator==(const Announcement&) const = default;
+};
+
 /// What a transit has instead of a formation (papers/004): unknown space to cross, each UAV to its goal.
 struct TransitMission {
   Box area;                    ///< nobody flies outside; known to all, as the paper assumes
@@ -88,6 +102,8 @@ struct Mission {
   std::optional<Terrain> terrain;  ///< the ground; none: nothing is below
   RendezvousOptions planner;
   std::optional<TransitMission> transit;  ///< with kind Transit
+  ControllerOptions controller;
+  std::vector<Announcement> announced;
 
   bool operator==(const Mission&) const = default;
 };

@@ -31,9 +31,7 @@ std::optional<OptionFault> validate(const RendezvousOptions& options) {
   for (const RendezvousField& field : kRendezvousFields) {
     const double value = std::visit([&](auto member) { return static_cast<double>(options.*member); }, field.member);
     if (!(value >= field.min && value <= field.max)) {
-      return OptionFault{std::string(field.key),
-                         fmt::format("{} is {}; allowed: {} to {}{}{}", field.key, value, field.min, field.max,
-                                     field.unit.empty() ? "" : " ", field.unit)};
+      return range_fault(field.key, value, field.min, field.max, field.unit);
     }
   }
   if (options.search_min_chords >= options.search_max_chords) {

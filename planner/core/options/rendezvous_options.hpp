@@ -14,6 +14,8 @@
 #include <string_view>
 #include <variant>
 
+#include "planner/core/options/option_field.hpp"
+
 namespace skein {
 
 struct RendezvousOptions {
@@ -44,6 +46,8 @@ struct RendezvousOptions {
   double crossover_probability = 0.9;     ///< of each pair of parents (ccga)
   double mutation_probability = 0.1;      ///< of each of m0 and m1 of each child (ccga)
   std::int32_t max_segments = 4;          ///< joined segments of a path at most (Remark 4), if fewer find no plan
+  std::int32_t replan = 0;                ///< 1: the swarm plans anew under way when a plan does not hold
+  std::int32_t rounds_per_step = 10;      ///< planning rounds of a flight step while it does
 
   bool operator==(const RendezvousOptions&) const = default;
 };
@@ -57,7 +61,7 @@ struct RendezvousField {
   double max;
 };
 
-inline constexpr std::array<RendezvousField, 26> kRendezvousFields{{
+inline constexpr std::array<RendezvousField, 28> kRendezvousFields{{
     {"particles", &RendezvousOptions::particles, "", 2, 10000},
     {"generations", &RendezvousOptions::generations, "", 1, 10000},
     {"length_weight", &RendezvousOptions::length_weight, "", 0, 1},
@@ -84,6 +88,8 @@ inline constexpr std::array<RendezvousField, 26> kRendezvousFields{{
     {"crossover_probability", &RendezvousOptions::crossover_probability, "", 0, 1},
     {"mutation_probability", &RendezvousOptions::mutation_probability, "", 0, 1},
     {"max_segments", &RendezvousOptions::max_segments, "", 1, 4},
+    {"replan", &RendezvousOptions::replan, "", 0, 1},
+    {"rounds_per_step", &RendezvousOptions::rounds_per_step, "", 1, 1000},
 }};
 /// The first fields, which every mission hash holds; a later one enters it where it differs from its default, so that
 /// a new option leaves the hashes of missions without it as they were.
@@ -95,12 +101,6 @@ inline constexpr std::array<std::string_view, 4> kRendezvousPlanners{"dcpso", "d
 
 /// The options of a planner by name, each at that planner's default, or nothing if there is no such planner.
 [[nodiscard]] std::optional<RendezvousOptions> defaults_of(std::string_view planner);
-
-/// What is wrong with one option: its key and one line that names value and legal range.
-struct OptionFault {
-  std::string key;
-  std::string message;
-};
 
 /// The first fault of the options, or nothing. Checked once, where options enter (scenario, wire, planner).
 [[nodiscard]] std::optional<OptionFault> validate(const RendezvousOptions& options);

@@ -7,22 +7,6 @@
 #include <cmath>
 
 namespace skein {
-namespace {
-
-template <typename Options, std::size_t N>
-std::optional<OptionFault> out_of_range(const Options& options, const std::array<OptionField<Options>, N>& fields) {
-  for (const OptionField<Options>& field : fields) {
-    const double value = options.*field.member;
-    if (value >= field.min && value <= field.max) continue;
-    return OptionFault{std::string(field.key),
-                       fmt::format("{} is {}; allowed: {} to {}{}{}", field.key, value, field.min, field.max,
-                                   field.unit.empty() ? "" : " ", field.unit)};
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 std::optional<TransitOptions> transit_defaults_of(std::string_view planner) {
   if (std::ranges::find(kTransitPlanners, planner) == kTransitPlanners.end()) return std::nullopt;
   TransitOptions options;

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/core/options/rendezvous_options.hpp"
+#include "planner/core/options/option_field.hpp"
 
 namespace skein {
 
@@ -53,16 +53,6 @@ struct SensorOptions {
   bool operator==(const SensorOptions&) const = default;
 };
 
-/// One number of an option aggregate: its key in a scenario, its place, unit ("" for none) and closed legal range.
-template <typename Options>
-struct OptionField {
-  std::string_view key;
-  double Options::*member;
-  std::string_view unit;
-  double min;
-  double max;
-};
-
 inline constexpr std::array<OptionField<TransitOptions>, 8> kTransitFields{{
     {"cell_m", &TransitOptions::cell_m, "m", 0.1, 1000},
     {"cell_height_m", &TransitOptions::cell_height_m, "m", 0.1, 1000},
@@ -90,8 +80,11 @@ inline constexpr std::array<OptionField<SensorOptions>, 6> kSensorFields{{
     {"false_alarm", &SensorOptions::false_alarm, "", 0, 0.5},
 }};
 
+/// The planner that has neither cells nor maps: each UAV heads straight for its goal, and its controller does the rest.
+inline constexpr std::string_view kStraight = "straight";
+
 /// peach: one of 9 (27) cells a decision. peach3d-paper: waypoints in three modes, as printed. peach3d: complete.
-inline constexpr std::array<std::string_view, 3> kTransitPlanners{"peach3d", "peach3d-paper", "peach"};
+inline constexpr std::array<std::string_view, 4> kTransitPlanners{"peach3d", "peach3d-paper", "peach", kStraight};
 
 /// The options of a planner by name, each at that planner's default, or nothing if there is no such planner.
 [[nodiscard]] std::optional<TransitOptions> transit_defaults_of(std::string_view planner);
