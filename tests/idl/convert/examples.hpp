@@ -44,6 +44,13 @@ inline Mission mission() {
   m.planner.length_tolerance_m = 351.0;
   m.planner.mutation_probability = 0.0625;
   m.planner.max_segments = 3;
+  m.planner.replan = 1;
+  m.planner.rounds_per_step = 12;
+  m.controller.name = "orca";
+  m.controller.sensor_range_m = 24.0;
+  m.controller.obstacle_speed_mps = 5.0;
+  m.announced = {{Box{Vec3(7.0, 8.0, 9.0), Vec3(10.0, 11.0, 12.0)}, 60.0, 90.0, 15.0, 12.0},
+                 {Cylinder{Vec2(1.0, 2.0), 3.0, 4.0, 5.0}, 100.0, 101.0, 0.0, 0.5}};
   return m;
 }
 
@@ -85,16 +92,32 @@ inline Tick last_tick() {
 }
 
 inline Sense sense() {
-  Sense s{77, 3, 2, 6, {Vec3(1.5, -2.5, 3.5), 0.75, -0.25}, Vec3(4.0, -5.0, 6.0), {}, {}};
+  Sense s{77, 3, 2, 6, {Vec3(1.5, -2.5, 3.5), 0.75, -0.25}, Vec3(4.0, -5.0, 6.0), {}, {}, {}, {}};
   s.heard = {{1, Vec3(7.0, -8.0, 9.0), Vec3(-1.5, 0.5, 0.25), true}};
   s.sight = CellWindow::of({-1, 2, 3}, 3, 2, 1);
   s.sight.set(0, CellState::Free);
   s.sight.set(4, CellState::Occupied);
+  s.tracks = {{2, Vec3(1.0, 2.0, 3.0), Vec3(-4.0, 5.0, -6.0), 1.5, true, false},
+              {9, Vec3(7.0, 8.0, 9.0), Vec3::Zero(), 2.5, false, true}};
+  s.zones = {ZoneState::Clear, ZoneState::Unconfirmed};
+  s.obeyed = false;
   return s;
 }
 
 inline Representative representative() {
-  return {77, 3, 2, 6, PlanStage::Aligning, Constraint::NoFly, {1234.5, -0.0}, 17.25, 35000.0, 35100.0};
+  return {77, 3, 2, 6, PlanStage::Aligning, Constraint::NoFly, {1234.5, -0.0}, 17.25, 35000.0, 35100.0, std::nullopt};
+}
+
+/// The same agent calls for a new plan.
+inline Representative revision() {
+  Representative r = representative();
+  r.revision = Revision{5,
+                        90,
+                        SafetyReason::Blocked,
+                        {Vec3(1.0, -2.0, 3.0), 0.5, -0.25},
+                        12.5,
+                        {{4, Vec3(9.0, 8.0, 7.0), Vec3::Zero(), 6.5, true, true}}};
+  return r;
 }
 
 inline ObstacleMapSample obstacle_map() {
@@ -128,6 +151,10 @@ inline Beacon beacon() {
   b.pose = {Vec3(1.0, 2.0, 3.0), 4.0, 0.5};
   b.commanded_velocity_mps = Vec3(6.0, 7.0, 8.0);
   b.map_hash = 0x77;
+  b.safety_mode = SafetyMode::Controlled;
+  b.safety_reason = SafetyReason::Deviation;
+  b.deviation_m = 12.5;
+  b.predicted_separation_m = 33.0;
   b.planned_length_m = 35050.0;
   b.cost = -3.5;
   b.generation = 9;

@@ -97,6 +97,7 @@ TEST(Fuzz, Sense) {
 }
 TEST(Fuzz, Representative) {
   fuzz(examples::representative());
+  fuzz(examples::revision());
 }
 TEST(Fuzz, Beacon) {
   fuzz(examples::beacon());

@@ -50,6 +50,9 @@ TEST(Golden, Sense) {
 TEST(Golden, Representative) {
   EXPECT_EQ(bytes_of(examples::representative()), golden("representative"));
 }
+TEST(Golden, Revision) {
+  EXPECT_EQ(bytes_of(examples::revision()), golden("revision"));
+}
 TEST(Golden, Beacon) {
   EXPECT_EQ(bytes_of(examples::beacon()), golden("beacon"));
 }
@@ -64,7 +67,9 @@ TEST(Golden, SenseByHand) {
                                "00000000"
                                "02000000"));
   EXPECT_EQ(testing::encode(to_wire(examples::sense(), examples::kStamp)).size(),
-            4u + 24 + 8 + 8 * 8 + (4 + 4 + 6 * 8 + 1) + 3 + 7 * 4 + 2);
+            4u + 24 + 8 + 8 * 8 + (4 + 4 + 6 * 8 + 1) + 3 + 7 * 4 + 2 +
+                // two tracks; the zones; obeyed
+                2 + 4 + (4 + 4 + 7 * 8 + 2) + (2 + 4 + 7 * 8 + 2) + (2 + 4 + 2) + 1);
 }
 
 }  // namespace

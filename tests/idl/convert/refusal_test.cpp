@@ -83,17 +83,24 @@ TEST(Refusal, Mission) {
 TEST(Refusal, MissionZonesAndOptions) {
   using W = wire::Mission;
   expect_refused<W>(to_wire(examples::mission(), examples::kStamp),
-                    {{"mission.zones.shape", BadEnum, [](W& m) { m.zones()[0].shape(2); }},
-                     {"mission.zones.min_m", NonFinite, [](W& m) { m.zones()[0].min_m().x(kNan); }},
-                     {"mission.zones.radius_m", OutOfRange, [](W& m) { m.zones()[0].radius_m(-9.0); }},
-                     {"mission.zones.max_m", OutOfRange, [](W& m) { m.zones()[1].max_m().x(1e9); }},
-                     {"mission.zones.max_m.z", BadMission, [](W& m) { m.zones()[0].max_m().z(-11.0); }},
-                     {"mission.zones.max_m.x", BadMission, [](W& m) { m.zones()[1].max_m().x(0.0); }},
-                     {"mission.zones.max_m.y", BadMission, [](W& m) { m.zones()[1].max_m().y(0.0); }},
+                    {{"mission.zones", BadEnum, [](W& m) { m.zones()[0].shape(2); }},
+                     {"mission.zones", NonFinite, [](W& m) { m.zones()[0].min_m().x(kNan); }},
+                     {"mission.zones", OutOfRange, [](W& m) { m.zones()[0].radius_m(-9.0); }},
+                     {"mission.zones", OutOfRange, [](W& m) { m.zones()[1].max_m().x(1e9); }},
+                     {"mission.zones", BadMission, [](W& m) { m.zones()[0].max_m().z(-11.0); }},
+                     {"mission.zones", BadMission, [](W& m) { m.zones()[1].max_m().x(0.0); }},
+                     {"mission.zones", BadMission, [](W& m) { m.zones()[1].max_m().y(0.0); }},
                      {"mission.planner", BadOptions, [](W& m) { m.planner().name("nonesuch"); }},
                      {"mission.planner", BadOptions, [](W& m) { m.planner().particles(-5); }},
                      {"mission.planner", BadOptions, [](W& m) { m.planner().search_min_chords(50.0); }},
-                     {"mission.planner", NonFinite, [](W& m) { m.planner().inertia_end(kNan); }}});
+                     {"mission.planner", NonFinite, [](W& m) { m.planner().inertia_end(kNan); }},
+                     {"mission.controller", BadOptions, [](W& m) { m.controller_name("nonesuch"); }},
+                     {"mission.controller", OutOfRange, [](W& m) { m.controller_values().pop_back(); }},
+                     {"mission.controller", BadOptions, [](W& m) { m.controller_values()[1] = -1.0; }},
+                     {"mission.announced", OutOfRange, [](W& m) { m.announced().resize(65); }},
+                     {"mission.announced", NonFinite, [](W& m) { m.announced()[0].place().min_m().x(kNan); }},
+                     {"mission.announced", OutOfRange, [](W& m) { m.announced()[1].early_s(-1.0); }},
+                     {"mission.announced.to_s", BadMission, [](W& m) { m.announced()[0].to_s(59.0); }}});
 }
 
 TEST(Refusal, Tick) {
@@ -143,6 +150,19 @@ TEST(Refusal, WhatASensorSaw) {
                      {"sense.sight.packed", OutOfRange, [](W& s) { s.sight().packed().clear(); }},
                      {"sense.sight.packed", OutOfRange, [](W& s) { s.sight().packed().resize(49153); }},
                      {"sense.sight.packed", BadEnum, [](W& s) { s.sight().packed()[0] = 2; }}});
+}
+
+TEST(Refusal, WhatIsSensedBesideCells) {
+  using W = wire::Sense;
+  expect_refused<W>(to_wire(examples::sense(), examples::kStamp),
+                    {{"sense.tracks", OutOfRange, [](W& s) { s.tracks().resize(257); }},
+                     {"sense.tracks", BadOrder, [](W& s) { s.tracks()[0].id(0); }},
+                     {"sense.tracks", BadOrder, [](W& s) { s.tracks()[1].id(2); }},
+                     {"sense.tracks", NonFinite, [](W& s) { s.tracks()[1].position_m().z(kNan); }},
+                     {"sense.tracks", OutOfRange, [](W& s) { s.tracks()[0].velocity_mps().x(2e4); }},
+                     {"sense.tracks", OutOfRange, [](W& s) { s.tracks()[0].radius_m(-0.5); }},
+                     {"sense.zones", OutOfRange, [](W& s) { s.zones().resize(65); }},
+                     {"sense.zones", BadEnum, [](W& s) { s.zones()[1] = 4; }}});
 }
 
 TEST(Refusal, ObstacleMap) {
@@ -208,6 +228,19 @@ TEST(Refusal, Representative) {
                      {"representative.path_length_m", NonFinite, [](W& r) { r.path_length_m(kNan); }}});
 }
 
+TEST(Refusal, Revision) {
+  using W = wire::Representative;
+  expect_refused<W>(
+      to_wire(examples::revision(), examples::kStamp),
+      {{"representative.revision", OutOfRange, [](W& r) { r.reopening().resize(2); }},
+       {"representative.revision.reason", BadEnum, [](W& r) { r.reopening()[0].reason(9); }},
+       {"representative.revision.pose", NonFinite, [](W& r) { r.reopening()[0].own().heading_rad(kNan); }},
+       {"representative.revision.speed_mps", OutOfRange, [](W& r) { r.reopening()[0].speed_mps(-1.0); }},
+       {"representative.revision.obstacles", OutOfRange, [](W& r) { r.reopening()[0].obstacles().resize(65); }},
+       {"representative.revision.obstacles", NonFinite,
+        [](W& r) { r.reopening()[0].obstacles()[0].position_m().x(kNan); }}});
+}
+
 TEST(Refusal, Beacon) {
   using W = wire::Beacon;
   expect_refused<W>(to_wire(examples::beacon(), examples::kStamp),
@@ -222,13 +255,17 @@ TEST(Refusal, Beacon) {
                      {"beacon.matched", BadOrder, [](W& b) { b.matched()[1] = b.matched()[0]; }},
                      {"beacon.needs.agent", UnknownAgent, [](W& b) { b.needs()[0].agent(0); }},
                      {"beacon.needs.topic", BadEnum, [](W& b) { b.needs()[1].topic(2); }},
-                     {"beacon.mode", BadEnum, [](W& b) { b.mode(10); }},
+                     {"beacon.mode", BadEnum, [](W& b) { b.mode(11); }},
                      {"beacon.failing", BadEnum, [](W& b) { b.failing(255); }},
                      {"beacon.failing_peer", UnknownAgent, [](W& b) { b.failing_peer(2); }},
                      {"beacon.own", NonFinite, [](W& b) { b.own().position_m().z(kNan); }},
                      {"beacon.commanded_velocity_mps", OutOfRange, [](W& b) { b.commanded_velocity_mps().z(-2e4); }},
                      {"beacon.planned_length_m", OutOfRange, [](W& b) { b.planned_length_m(-1.0); }},
-                     {"beacon.cost", NonFinite, [](W& b) { b.cost(kNan); }}});
+                     {"beacon.cost", NonFinite, [](W& b) { b.cost(kNan); }},
+                     {"beacon.safety_mode", BadEnum, [](W& b) { b.safety_mode(3); }},
+                     {"beacon.safety_reason", BadEnum, [](W& b) { b.safety_reason(9); }},
+                     {"beacon.deviation_m", OutOfRange, [](W& b) { b.deviation_m(-1.0); }},
+                     {"beacon.predicted_separation_m", NonFinite, [](W& b) { b.predicted_separation_m(kNan); }}});
 }
 
 TEST(Refusal, AnIntroductionPassesWithoutRunAndRoster) {

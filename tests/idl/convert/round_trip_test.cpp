@@ -40,6 +40,10 @@ TEST(RoundTrip, Representative) {
   EXPECT_EQ(there_and_back(examples::representative()).value(), examples::representative());
 }
 
+TEST(RoundTrip, Revision) {
+  EXPECT_EQ(there_and_back(examples::revision()).value(), examples::revision());
+}
+
 TEST(RoundTrip, KeepsTheSignOfZero) {
   const Representative back = there_and_back(examples::representative()).value();
   EXPECT_EQ(std::bit_cast<std::uint64_t>(back.particle[1]), std::bit_cast<std::uint64_t>(-0.0));
@@ -79,6 +83,16 @@ TEST(RoundTrip, EveryOptionOfATransitTravels) {
   expect_all_travel(&TransitMission::sensor, kSensorFields);
 }
 
+TEST(RoundTrip, EveryOptionOfTheControllerTravels) {
+  for (const OptionField<ControllerOptions>& field : kControllerFields) {
+    Mission changed = examples::mission();
+    double& value = changed.controller.*field.member;
+    value = value == field.max ? field.min : field.max;
+    EXPECT_NE(changed, examples::mission()) << field.key;
+    EXPECT_EQ(there_and_back(changed).value(), changed) << field.key;
+  }
+}
+
 TEST(RoundTrip, TheSizeOfAnObstacleMapIsKnownWithoutSerialisingIt) {
   ObstacleMapSample m = examples::obstacle_map();
   for (const std::size_t seen : {0, 1, 2, 9, 255}) {
@@ -102,6 +116,7 @@ TEST(RoundTrip, TheLargestOfEverything) {
     m.vehicles.back().id = id;
   }
   m.zones.assign(wire::kMaxZones, examples::mission().zones[0]);
+  m.announced.assign(wire::kMaxAnnounced, examples::mission().announced[0]);
   EXPECT_EQ(there_and_back(m).value(), m);
 
   Tick t = examples::tick();
@@ -130,6 +145,13 @@ TEST(RoundTrip, TheLargestOfEverything) {
   }
   s.sight = CellWindow::of({0, 0, 0}, 64, 64, 48);
   EXPECT_EQ(s.sight.packed.size(), kMaxSightBytes);
+  const Track track = s.tracks[0];
+  s.tracks.clear();
+  for (std::uint32_t id = 1; id <= wire::kMaxTracks; ++id) {
+    s.tracks.push_back(track);
+    s.tracks.back().id = id;
+  }
+  s.zones.assign(wire::kMaxAnnounced, ZoneState::Occupied);
   EXPECT_EQ(there_and_back(s).value(), s);
 
   Representative r = examples::representative();
@@ -169,6 +191,18 @@ TEST(RoundTrip, WhatIsOverTheBoundsOfTheWireThrows) {
   Sense sight = examples::sense();
   sight.sight = CellWindow::of({0, 0, 0}, 64, 64, 49);
   EXPECT_THROW((void)to_wire(sight, examples::kStamp), std::invalid_argument);
+  Mission announced = examples::mission();
+  announced.announced.resize(wire::kMaxAnnounced + 1);
+  EXPECT_THROW((void)to_wire(announced, examples::kStamp), std::invalid_argument);
+  Sense tracks = examples::sense();
+  tracks.tracks.resize(wire::kMaxTracks + 1);
+  EXPECT_THROW((void)to_wire(tracks, examples::kStamp), std::invalid_argument);
+  Sense states = examples::sense();
+  states.zones.resize(wire::kMaxAnnounced + 1);
+  EXPECT_THROW((void)to_wire(states, examples::kStamp), std::invalid_argument);
+  Representative known = examples::revision();
+  known.revision->obstacles.resize(wire::kMaxKnown + 1);
+  EXPECT_THROW((void)to_wire(known, examples::kStamp), std::invalid_argument);
   Beacon matched = examples::beacon();
   matched.matched.resize(wire::kMaxMatched + 1);
   EXPECT_THROW((void)to_wire(matched, examples::kStamp), std::invalid_argument);
