@@ -4,6 +4,7 @@
 
 #include "agent/behaviours/rejoined.hpp"
 #include "agent/behaviours/rendezvous.hpp"
+#include "agent/behaviours/straight.hpp"
 #include "agent/behaviours/transit.hpp"
 
 namespace skein {
@@ -13,6 +14,9 @@ std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self) 
     case MissionKind::Rendezvous:
       return std::make_unique<RendezvousBehaviour>(mission, self);
     case MissionKind::Transit:
+      if (mission.transit && mission.transit->planner.name == kStraight) {
+        return std::make_unique<StraightBehaviour>(mission, self);
+      }
       return std::make_unique<TransitBehaviour>(mission, self);
   }
   throw std::invalid_argument("no behaviour is for this kind of mission");
