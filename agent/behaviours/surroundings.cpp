@@ -49,18 +49,18 @@ void Surroundings::hear(const Tick& tick, const Sense& sense) {
 
 bool Surroundings::reaches_into(const ZoneShape& zone) const {
   const double speed_mps = velocity_mps_.norm();
-  const double way_m = braking_distance_m(speed_mps, own_.max_acceleration_mps2, mission_.step_s);
+  const double way_m = braking_distance_m({own_.max_acceleration_mps2, mission_.step_s}, speed_mps);
   const Vec3 end_m = speed_mps > 0.0 ? Vec3(position_m_ + way_m / speed_mps * velocity_mps_) : position_m_;
   return distance_m(position_m_, end_m, zone) < own_.radius_m;
 }
 
 void Surroundings::close_zones(const Tick& tick, const Sense& sense) {
   shapes_.resize(known_zones_);
-  const double braking_s = braking_time_s(own_.speed_mps, own_.max_acceleration_mps2, mission_.step_s);
+  const double stopping_s = stopping_time_s({own_.max_acceleration_mps2, mission_.step_s}, own_.speed_mps);
   for (std::size_t i = 0; i < mission_.announced.size(); ++i) {
     const Announcement& zone = mission_.announced[i];
     const ZoneState state = i < sense.zones.size() ? sense.zones[i] : ZoneState::Unconfirmed;
-    const bool ahead = tick.time_s + mission_.step_s + braking_s < zone.from_s - zone.early_s - zone.clear_s;
+    const bool ahead = tick.time_s + stopping_s < zone.from_s - zone.early_s - zone.clear_s;
     const bool open = state == ZoneState::Clear || (state == ZoneState::Ahead && ahead);
     if (!open && !reaches_into(zone.shape)) shapes_.push_back(zone.shape);
   }
