@@ -148,7 +148,7 @@ VerbAction add_sweep_verb(CLI::App& app) {
   verb->get_option("--set")->description("key=a,b,c: a scenario key and the values it takes in turn; may be repeated");
   verb->get_option("--planner")->description("a,b,c: the same as --set planner.name=a,b,c");
   verb->get_option("--agents")->description("a,b,c: how many vehicles in turn");
-  verb->get_option("--controller")->description("a,b,c: of a transit, the same as --planner a,b,c");
+  verb->get_option("--controller")->description("a,b: the same as --set controller.name=a,b");
   verb->get_option("--seed")->description("seed of the first run (0); run i has this seed + i");
   verb->add_option("--runs", arguments->runs, "runs of each combination")
       ->check(CLI::Range(1U, 10'000'000U))

@@ -54,7 +54,7 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
       mission_(mission),
       options_(options),
       fail_fast_(fail_fast),
-      world_(mission, options.on_agent_loss, options.hidden),
+      world_(mission, options.on_agent_loss, options.hidden, options.surprises),
       hash_(mission_hash(mission)) {
   for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({.agent = vehicle.id});
   if (mission.transit) radio_.emplace(mission);
@@ -231,21 +231,26 @@ Sense Run::sense_of(const RosterEntry& entry) const {
   sense.round = round_;
   sense.pose = pose_of(vehicle.state);
   sense.velocity_mps = vehicle.state.velocity_mps;
-  if (mission_.transit) {
-    sense.heard = heard_by(vehicle);
-    sense.sight = world_.look_of(entry.agent, step_);
-  }
+  const double range_m = mission_.controller.sensor_range_m;
+  if (mission_.transit || range_m > 0.0) sense.heard = heard_by(vehicle);
+  if (world_.truth() != nullptr) sense.sight = world_.look_of(entry.agent, step_);
+  if (range_m > 0.0) sense.tracks = world_.tracks_of(entry.agent, range_m);
+  sense.zones = world_.zone_states(step_);
+  sense.obeyed = world_.obeys(entry.agent);
   return sense;
 }
 
-/// Whose agent is live says over the radio where it is; who has none is seen by the sensor.
+/// Whose agent is live says over the radio where it is; who has none is seen by the sensor. A rendezvous has a radio
+/// without limits.
 std::vector<HeardPeer> Run::heard_by(const VehicleRecord& vehicle) const {
   std::vector<HeardPeer> heard;
+  const std::optional<TransitMission>& transit = mission_.transit;
+  const double seen_m = std::max(mission_.controller.sensor_range_m, transit ? transit->sensor.range_m : 0.0);
+  const double radio_m = transit ? transit->radio.range_m : std::numeric_limits<double>::infinity();
   for (const VehicleRecord& other : world_.vehicles()) {
     if (other.spec.id == vehicle.spec.id || other.status == VehicleStatus::Removed) continue;
     const bool live = std::ranges::find(roster_, other.spec.id, &RosterEntry::agent) != roster_.end();
-    const TransitMission& transit = *mission_.transit;
-    const double range_m = live ? std::max(transit.radio.range_m, transit.sensor.range_m) : transit.sensor.range_m;
+    const double range_m = live ? std::max(radio_m, seen_m) : seen_m;
     if ((other.state.position_m - vehicle.state.position_m).norm() > range_m) continue;
     heard.push_back({other.spec.id, other.state.position_m, other.state.velocity_mps, other.landed});
   }

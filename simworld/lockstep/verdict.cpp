@@ -31,10 +31,33 @@ std::string describe(const Contact& contact, const Mission& mission, const World
     case ContactKind::Hidden:
       return fmt::format("vehicle {} touched {} at step {}", contact.vehicle, world.hidden()[contact.other].name,
                          contact.step);
+    case ContactKind::Mover:
+      return fmt::format("vehicle {} collided with {} at step {}", contact.vehicle,
+                         world.movers()[contact.other].spec.name, contact.step);
+    case ContactKind::Rammed:
+      return fmt::format("vehicle {} was rammed at rest by {} at step {}", contact.vehicle,
+                         world.movers()[contact.other].spec.name, contact.step);
+    case ContactKind::ZoneEntry:
+      return fmt::format("vehicle {} was in announced.{}, which was not clear, at step {}", contact.vehicle,
+                         contact.other + 1, contact.step);
     default:
       return fmt::format("vehicle {} touched {} at step {}", contact.vehicle, zone_name(mission, contact.other),
                          contact.step);
   }
+}
+
+/// The first contact that makes a run unsafe; being rammed at rest only if there is no other.
+const Contact* first_unsafe(const World& world) {
+  const auto& contacts = world.contacts();
+  const auto first = [&](bool rammed) {
+    const auto found = std::ranges::find_if(contacts, [&](const Contact& contact) {
+      return rammed ? contact.kind == ContactKind::Rammed
+                    : contact.kind != ContactKind::NearMiss && contact.kind != ContactKind::Rammed;
+    });
+    return found == contacts.end() ? nullptr : &*found;
+  };
+  const Contact* unsafe = first(false);
+  return unsafe != nullptr ? unsafe : first(true);
 }
 
 /// Of a transit everybody must arrive, in any order; vehicles of lost agents are told of as losses.
@@ -88,9 +111,8 @@ Verdict Run::verdict() const {
   std::ranges::sort(verdict.completed_without);
   const auto twice = std::ranges::unique(verdict.completed_without);
   verdict.completed_without.erase(twice.begin(), twice.end());
-  const auto hit =
-      std::ranges::find_if(world_.contacts(), [](const Contact& c) { return c.kind != ContactKind::NearMiss; });
-  if (hit != world_.contacts().end()) {
+  const Contact* hit = first_unsafe(world_);
+  if (hit != nullptr) {
     verdict.code = ExitCode::Failed;
     verdict.reason = describe(*hit, mission_, world_);
   } else if (!losses.empty()) {

@@ -46,7 +46,7 @@ void add_scenario_options(CLI::App& app, WorldArguments& arguments) {
   add_repeated(app, "--planner", "NAME: the same as --set planner.name=NAME", [&arguments](const auto& text) {
     arguments.overrides.push_back({"planner.name", text});
   });
-  add_repeated(app, "--controller", "NAME: of a transit, the same as --planner NAME", [&arguments](const auto& text) {
+  add_repeated(app, "--controller", "NAME: the same as --set controller.name=NAME", [&arguments](const auto& text) {
     arguments.overrides.push_back({std::string(kControllerFlag), text});
   });
   add_repeated(app, "--agents", "N: how many vehicles; the same as --set vehicles.ring.agents=N, or vehicles.agents=N",

@@ -189,7 +189,10 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["rounds"] = run.planning_rounds();
   report["collisions"] = world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) +
                          world.count(ContactKind::NoFly) + world.count(ContactKind::Terrain) +
-                         world.count(ContactKind::Hidden);
+                         world.count(ContactKind::Hidden) + world.count(ContactKind::Mover);
+  report["rammed_at_rest"] = world.count(ContactKind::Rammed);
+  report["mover_contacts"] = world.count(ContactKind::Mover);
+  report["zone_entries"] = world.count(ContactKind::ZoneEntry);
   report["near_misses"] = world.count(ContactKind::NearMiss);
   report["min_separation_m"] = or_null(world.min_separation_m());
   report["min_clearance_m"] = or_null(world.min_clearance_m());

@@ -11,7 +11,9 @@ constexpr Keys kCylinder[] = {"x_m", "y_m", "radius_m", "z_min_m", "z_max_m"};
 constexpr Keys kBox[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m", "z_max_m"};
 constexpr Keys kTerrain[] = {"a", "b", "c", "d", "e", "f", "g", "h", "l"};
 constexpr Keys kLockstep[] = {"deadline_s"};
-constexpr Keys kWorld[] = {"max_steps", "max_rounds", "extra_steps"};
+constexpr Keys kWorld[] = {"max_steps", "max_rounds", "extra_steps", "slow"};
+
+constexpr Keys kSlow[] = {"id", "factor", "from_s"};
 
 constexpr std::uint64_t kMostSteps = 10'000'000;
 
@@ -110,6 +112,13 @@ void read_lockstep_and_world(const MapReader& root, Scenario& into) {
   into.lockstep.deadline_s = lockstep.number("deadline_s", {0.1, 3600, "s"}, into.lockstep.deadline_s);
   into.world.extra_steps = static_cast<std::uint32_t>(world.whole("extra_steps", 0, kMostSteps, 0));
   into.world.max_steps = static_cast<std::uint32_t>(world.whole("max_steps", 1, kMostSteps, into.world.max_steps));
+  const auto slow = world.list("slow", kMaxAgents, false);
+  for (std::size_t i = 0; i < slow.size(); ++i) {
+    const MapReader item = world.item("slow", i, kSlow);
+    const AgentId id = read_id(item);
+    const double factor = item.number("factor", {0.05, 2});
+    into.world.surprises.slow.push_back({id, factor, item.number("from_s", {0, 1e7, "s"}, 0.0)});
+  }
   into.world.max_rounds = static_cast<std::uint32_t>(world.whole("max_rounds", 1, kMostSteps, into.world.max_rounds));
 }
 

@@ -11,7 +11,6 @@
 namespace skein::scenario {
 namespace {
 
-constexpr Keys kDraw[] = {"from", "own_goals", "starts", "goals"};
 constexpr Keys kWithin[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m", "z_max_m"};
 constexpr int kTries = 1000;
 
@@ -66,7 +65,7 @@ std::optional<Drawn> try_places(const Draw& draw, std::vector<Vec3> starts_m, st
 
 Draw read_draw(const MapReader& root, const Box& area, bool own_goals) {
   static constexpr Keys kFrom[] = {"connected", "free"};
-  const MapReader map = root.map("draw", kDraw, true);
+  const MapReader map = root.map("draw", kDrawKeys, true);
   Draw draw;
   draw.connected = map.word("from", kFrom) == "connected";
   draw.own_goals = map.whole("own_goals", 0, 1, own_goals ? 1 : 0) == 1;

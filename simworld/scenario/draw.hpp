@@ -14,6 +14,8 @@
 
 namespace skein::scenario {
 
+inline constexpr Keys kDrawKeys[] = {"from", "own_goals", "starts", "goals"};
+
 struct Draw {
   bool connected = true;  ///< paths join all starts and goals; else they are just free
   bool own_goals = false;

@@ -42,11 +42,11 @@ std::string item_name(const YamlNode& list, std::size_t index) {
 
 std::string key_of(const YamlNode& root, const std::string& key) {
   if (key != kAgentsFlag && key != kControllerFlag) return key;
+  if (key == kControllerFlag) return "controller.name";
   const YamlNode* kind = root.kind == NodeKind::Map ? root.find("kind") : nullptr;
-  const bool transit = kind != nullptr && kind->text == "transit";
-  if (key == kAgentsFlag) return transit ? "vehicles.agents" : "vehicles.ring.agents";
-  if (transit) return "planner.name";
-  throw ReadFault(Place{1, 1, key}, "only a transit has controllers to choose from; allowed: --planner");
+  const YamlNode* vehicles = root.kind == NodeKind::Map ? root.find("vehicles") : nullptr;
+  if (kind == nullptr || kind->text != "transit") return "vehicles.ring.agents";
+  return vehicles != nullptr && vehicles->find("swap") != nullptr ? "vehicles.swap.agents" : "vehicles.agents";
 }
 
 void apply_override(YamlNode& root, const std::string& key, const std::string& value) {

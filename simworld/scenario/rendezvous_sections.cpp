@@ -10,13 +10,32 @@
 #include "simworld/scenario/common.hpp"
 #include "simworld/scenario/reader.hpp"
 #include "simworld/scenario/ring.hpp"
+#include "simworld/scenario/surprise_sections.hpp"
 
 namespace skein::scenario {
 namespace {
 
-constexpr Keys kRoot[] = {"name",     "kind",      "seed",      "length_unit_m", "step_s",  "arrival_radius_m",
-                          "vehicles", "formation", "obstacles", "no_fly",        "terrain", "planner",
-                          "lockstep", "world"};
+constexpr Keys kRoot[] = {"name",
+                          "kind",
+                          "seed",
+                          "length_unit_m",
+                          "step_s",
+                          "arrival_radius_m",
+                          "vehicles",
+                          "formation",
+                          "obstacles",
+                          "no_fly",
+                          "terrain",
+                          "planner",
+                          "lockstep",
+                          "world",
+                          "sensor",
+                          "controller",
+                          "moving_obstacles",
+                          "sudden_obstacles",
+                          "random_obstacles",
+                          "announced"};
+constexpr Keys kSensor[] = {"range_m"};
 constexpr Keys kVehicles[] = {
     "type",   "speed_mps", "max_curvature_per_m",  "max_torsion_per_m", "radius_m", "safety_radius_m", "on_agent_loss",
     "starts", "ring",      "max_acceleration_mps2"};
@@ -164,6 +183,9 @@ Places read_rendezvous(const YamlNode& root_node, std::optional<std::uint64_t> s
   read_planner(planner, into.mission.planner);
   into.lockstep.round_s = planner.number("round_s", {1e-3, 60, "s"}, into.lockstep.round_s);
   read_lockstep_and_world(root, into);
+  read_controller(root, into.mission.controller);
+  into.mission.controller.sensor_range_m = root.map("sensor", kSensor, false).number("range_m", {0, 1e6, "m"}, 0.0);
+  read_surprises(root, std::nullopt, into);
   return places;
 }
 

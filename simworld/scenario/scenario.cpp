@@ -84,7 +84,8 @@ ScenarioResult parse_scenario(const std::string& text, const std::string& path, 
 }
 
 ScenarioResult with_seed(const Scenario& scenario, std::uint64_t seed) {
-  if (scenario.mission.transit) return parse_scenario(scenario.text, scenario.path, scenario.overrides, seed);
+  const bool drawn = scenario.mission.transit || !scenario.world.surprises.movers.empty();
+  if (drawn) return parse_scenario(scenario.text, scenario.path, scenario.overrides, seed);
   Scenario other = scenario;
   other.mission.seed = seed;
   return other;

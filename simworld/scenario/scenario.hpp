@@ -17,6 +17,7 @@
 
 #include "planner/core/mission/mission.hpp"
 #include "simworld/collision/obstacle.hpp"
+#include "simworld/movers/surprises.hpp"
 
 namespace skein {
 
@@ -35,8 +36,8 @@ struct Override {
 };
 
 /// Overrides whose key depends on the scenario's kind, as the flags of that name say them.
-inline constexpr std::string_view kAgentsFlag = "--agents";          ///< vehicles.agents, or vehicles.ring.agents
-inline constexpr std::string_view kControllerFlag = "--controller";  ///< planner.name of a transit
+inline constexpr std::string_view kAgentsFlag = "--agents";          ///< vehicles.agents, or those of ring or swap
+inline constexpr std::string_view kControllerFlag = "--controller";  ///< controller.name
 
 struct LockstepOptions {
   double deadline_s = 10.0;  ///< wall time after which an agent that leaves a tick unanswered is gone, 0.1 to 3600
@@ -51,6 +52,7 @@ struct WorldOptions {
   std::uint32_t extra_steps = 0;       ///< flight steps after nobody is on the way any more, 0 to 10 million
   OnAgentLoss on_agent_loss = OnAgentLoss::Remove;  ///< what becomes of a lost agent's vehicle
   std::vector<Obstacle> hidden;                     ///< of a transit: what agents are not told of
+  Surprises surprises;                              ///< what moves or appears, and what really happens
 
   bool operator==(const WorldOptions&) const = default;
 };

@@ -2,22 +2,44 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "planner/core/cells/cell_window.hpp"
 #include "simworld/scenario/draw.hpp"
 #include "simworld/scenario/hidden.hpp"
 #include "simworld/scenario/sections.hpp"
+#include "simworld/scenario/spots.hpp"
+#include "simworld/scenario/straight.hpp"
+#include "simworld/scenario/surprise_sections.hpp"
 
 namespace skein::scenario {
 namespace {
 
-constexpr Keys kRoot[] = {"name", "kind",   "seed",      "step_s",  "goal_radius_m",    "vehicles",
-                          "area", "goals",  "obstacles", "no_fly",  "hidden_obstacles", "forest",
-                          "draw", "sensor", "radio",     "planner", "lockstep",         "world"};
-constexpr Keys kVehicles[] = {"type", "speed_mps", "radius_m", "safety_radius_m", "on_agent_loss", "agents", "starts"};
-constexpr Keys kPlaced[] = {"id", "x_m", "y_m", "z_m"};
-constexpr Keys kPoint[] = {"x_m", "y_m", "z_m"};
+constexpr Keys kRoot[] = {"name",
+                          "kind",
+                          "seed",
+                          "step_s",
+                          "goal_radius_m",
+                          "vehicles",
+                          "area",
+                          "goals",
+                          "obstacles",
+                          "no_fly",
+                          "hidden_obstacles",
+                          "forest",
+                          "draw",
+                          "sensor",
+                          "radio",
+                          "planner",
+                          "lockstep",
+                          "world",
+                          "controller",
+                          "moving_obstacles",
+                          "sudden_obstacles",
+                          "random_obstacles",
+                          "announced"};
+constexpr Keys kVehicles[] = {"type",          "speed_mps", "radius_m", "safety_radius_m",
+                              "on_agent_loss", "agents",    "starts",   "max_acceleration_mps2",
+                              "swap"};
 constexpr Keys kArea[] = {"x_min_m", "y_min_m", "z_min_m", "x_max_m", "y_max_m", "z_max_m"};
 
 template <typename Options, std::size_t N, std::size_t M>
@@ -31,71 +53,31 @@ constexpr auto kPlannerKeys = keys_of(kTransitFields, std::array<Keys, 2>{"name"
 constexpr auto kRadioKeys = keys_of(kRadioFields, std::array<Keys, 0>{});
 constexpr auto kSensorKeys = keys_of(kSensorFields, std::array<Keys, 0>{});
 
-/// One point of the scenario by the id of its vehicle.
-struct Spot {
-  Vec3 point_m;
-  Place place;
-};
-using Spots = std::map<AgentId, Spot>;
-
 Box read_area(const MapReader& root) {
   const MapReader map = root.map("area", kArea, true);
   for (const Keys key : {"z_min_m", "z_max_m"}) (void)map.number(key, kHeight);  // an area has all six
   return read_box(map);
 }
 
-VehicleSpec read_vehicle_type(const MapReader& vehicles, WorldOptions& world) {
-  static constexpr Keys kTypes[] = {"holonomic"};
+/// Cells are flown by vehicles that stop at once; without cells they have inertia.
+VehicleSpec read_vehicle_type(const MapReader& vehicles, bool straight, WorldOptions& world) {
+  static constexpr Keys kByCells[] = {"holonomic"};
+  static constexpr Keys kStraightOn[] = {"multirotor"};
   VehicleSpec spec;
-  (void)vehicles.word("type", kTypes);
-  spec.type = VehicleType::Holonomic;
+  (void)vehicles.word("type", straight ? kStraightOn : kByCells);
+  spec.type = straight ? VehicleType::Multirotor : VehicleType::Holonomic;
   spec.speed_mps = vehicles.number("speed_mps", {0.01, 1000, "m/s"});
+  if (straight) {
+    spec.max_acceleration_mps2 = vehicles.number("max_acceleration_mps2", {1e-3, 1000, "m/s2"});
+  } else {
+    for (const Keys key : {"max_acceleration_mps2", "swap"}) {
+      if (vehicles.find(key) != nullptr) vehicles.refuse(key, fmt::format("with planner.name {}", kStraight));
+    }
+  }
   read_body(vehicles, spec);
   check_body(vehicles, spec);
   world.on_agent_loss = read_on_agent_loss(vehicles);
   return spec;
-}
-
-/// The items of a list of points with ids; a height that is left out is the middle of the lowest level.
-Spots read_spots(const MapReader& parent, std::string_view list, double z_m) {
-  Spots spots;
-  const auto items = parent.list(list, kMaxAgents, true);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const MapReader item = parent.item(list, i, kPlaced);
-    Vec3 point_m = read_point(item);
-    if (item.find("z_m") == nullptr) point_m.z() = z_m;
-    if (!spots.emplace(read_id(item), Spot{point_m, place_of_item(items[i])}).second) {
-      item.refuse("id", fmt::format("an id that no other item of {} has", parent.path_of(list)));
-    }
-  }
-  return spots;
-}
-
-bool has_own_goals(const MapReader& root) {
-  return root.find("goals") != nullptr && root.find("goals")->kind == NodeKind::List;
-}
-
-/// By vehicle: its own goal, or the one that all have in common.
-std::vector<Spot> read_goals(const MapReader& root, const std::vector<VehicleSpec>& vehicles, double z_m) {
-  std::vector<Spot> goals;
-  if (!has_own_goals(root)) {
-    const MapReader map = root.map("goals", kPoint, true);
-    Vec3 point_m = read_point(map);
-    if (map.find("z_m") == nullptr) point_m.z() = z_m;
-    goals.assign(vehicles.size(), {point_m, place_of_item(*root.find("goals"))});
-    return goals;
-  }
-  const Spots spots = read_spots(root, "goals", z_m);
-  for (const VehicleSpec& vehicle : vehicles) {
-    const auto found = spots.find(vehicle.id);
-    if (found == spots.end()) {
-      throw ReadFault(root.place_of("goals"), fmt::format("goals has none for vehicle {}; allowed: one for each start, "
-                                                          "or one point for all",
-                                                          vehicle.id));
-    }
-    goals.push_back(found->second);
-  }
-  return goals;
 }
 
 void read_options(const MapReader& root, TransitMission& transit, LockstepOptions& lockstep) {
@@ -193,6 +175,42 @@ void check_grid(const MapReader& root, const TransitMission& transit) {
   }
 }
 
+void read_hidden_parts(const MapReader& root, Scenario& into, std::optional<Forest>& forest) {
+  const std::size_t cut = into.path.rfind('/');
+  into.world.hidden = read_hidden(root, cut == std::string::npos ? "" : into.path.substr(0, cut + 1));
+  forest = read_forest(root, into.mission.transit->area);
+  if (into.mission.transit->planner.name != kStraight) return;
+  for (const Keys key : {"hidden_obstacles", "forest"}) {
+    if (root.find(key) == nullptr) continue;
+    throw ReadFault(root.place_of(key), fmt::format("{} with planner.name {}, which has no map; allowed: "
+                                                    "sudden_obstacles",
+                                                    key, kStraight));
+  }
+}
+
+/// Vehicles with starts and goals; a forest grows between those that are given.
+void place_all(const MapReader& root, const MapReader& vehicles, const VehicleSpec& common,
+               const std::optional<Forest>& forest, Scenario& into, Places& places) {
+  Mission& mission = into.mission;
+  const bool drawn = root.find("draw") != nullptr;
+  if (!drawn) place_given(root, vehicles, common, mission, places);
+  if (forest) {
+    const std::vector<Obstacle> trees = grow(*forest, mission.transit->area, clearings(mission), mission.seed);
+    into.world.hidden.insert(into.world.hidden.end(), trees.begin(), trees.end());
+  }
+  if (drawn) place_drawn(root, vehicles, common, into, places);
+}
+
+/// What is no cell of a map is sensed where something moves, and by who has no map.
+void set_sensor(const MapReader& root, Mission& mission) {
+  const bool moves =
+      std::ranges::any_of(std::array<Keys, 3>{"moving_obstacles", "sudden_obstacles", "random_obstacles"},
+                          [&](Keys key) { return root.find(key) != nullptr; });
+  if (moves || mission.transit->planner.name == kStraight) {
+    mission.controller.sensor_range_m = mission.transit->sensor.range_m;
+  }
+}
+
 }  // namespace
 
 Places read_transit(const YamlNode& root_node, std::optional<std::uint64_t> seed, Scenario& into) {
@@ -203,27 +221,28 @@ Places read_transit(const YamlNode& root_node, std::optional<std::uint64_t> seed
   transit.goal_radius_m = root.number("goal_radius_m", {1e-3, 1e5, "m"});
   mission.arrival_radius_m = transit.goal_radius_m;
   const MapReader vehicles = root.map("vehicles", kVehicles, true);
-  const VehicleSpec common = read_vehicle_type(vehicles, into.world);
   transit.area = read_area(root);
   read_options(root, transit, into.lockstep);
-  check_grid(root, transit);
+  const bool straight = transit.planner.name == kStraight;
+  const VehicleSpec common = read_vehicle_type(vehicles, straight, into.world);
+  if (!straight) check_grid(root, transit);
   read_zones(root, "obstacles", false, mission.zones);
   read_zones(root, "no_fly", true, mission.zones);
-  const std::size_t cut = into.path.rfind('/');
-  into.world.hidden = read_hidden(root, cut == std::string::npos ? "" : into.path.substr(0, cut + 1));
-  const std::optional<Forest> forest = read_forest(root, transit.area);
+  std::optional<Forest> forest;
+  read_hidden_parts(root, into, forest);
   read_lockstep_and_world(root, into);
   Places places;
   const MapReader planner = root.map("planner", kPlannerKeys, false);
   places.cells = planner.place_of("cell_m");
   places.decision = planner.place_of("decision_s");
-  const bool drawn = root.find("draw") != nullptr;
-  if (!drawn) place_given(root, vehicles, common, mission, places);
-  if (forest) {
-    const std::vector<Obstacle> trees = grow(*forest, transit.area, clearings(mission), mission.seed);
-    into.world.hidden.insert(into.world.hidden.end(), trees.begin(), trees.end());
+  if (straight) {
+    place_straight(root, vehicles, common, mission, places);
+  } else {
+    place_all(root, vehicles, common, forest, into, places);
   }
-  if (drawn) place_drawn(root, vehicles, common, into, places);
+  read_controller(root, mission.controller);
+  set_sensor(root, mission);
+  read_surprises(root, transit.area, into);
   return places;
 }
 

@@ -37,7 +37,8 @@ std::string_view name_of(VehicleStatus status) {
   return kNames.at(static_cast<std::size_t>(status));
 }
 
-World::World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obstacle> hidden)
+World::World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obstacle> hidden,
+             const Surprises& surprises)
     : step_s_(mission.step_s),
       arrival_radius_m_(mission.arrival_radius_m),
       zones_(mission.zones),
@@ -59,7 +60,7 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obst
   }
   if (transit_) {
     arrival_radius_m_ = transit_->goal_radius_m;
-    truth_.emplace(grid_of(*mission.transit), all_obstacles(mission, hidden_));
+    if (transit_->planner.name != kStraight) truth_.emplace(grid_of(*transit_), all_obstacles(mission, hidden_));
   }
   for (const Obstacle& obstacle : hidden_) hidden_bounds_.push_back(bounds_of(obstacle));
   in_hidden_.resize(vehicles_.size() * hidden_.size());
@@ -69,6 +70,7 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obst
   least_m_.resize(vehicles_.size() * vehicles_.size(), std::numeric_limits<double>::infinity());
   in_zone_.resize(vehicles_.size() * zones_.size());
   grounded_.resize(vehicles_.size());
+  prepare(mission, surprises);
 }
 
 std::size_t World::index_of(AgentId id) const {
@@ -127,7 +129,11 @@ void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands
   check_zones(step);
   check_hidden(step);
   if (terrain_) check_terrain(step);
+  movers_.advance(step);
+  check_movers(step);
+  check_announced(step);
   if (transit_) land();
+  if (!movers_.empty()) movers_.open(step + 1, bystanders());
 }
 
 /// After the step in which it arrived, whose motion counts like any other.
@@ -144,7 +150,7 @@ void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* comman
   const Vec3 wanted = vehicle.status == VehicleStatus::Hovering ? waiting_course(vehicle)
                       : command != nullptr                      ? command->velocity_mps
                                                                 : vehicle.state.velocity_mps;
-  const VehicleStep moved = advance_vehicle(vehicle.spec, vehicle.state, wanted, step_s_);
+  const VehicleStep moved = advance_vehicle(real_spec(vehicle, step), vehicle.state, wanted, step_s_);
   motions_[i] = moved.motion;
   const double squared = vehicle.state.velocity_mps.squaredNorm();
   const Vec3 turn =
@@ -219,7 +225,7 @@ CellWindow World::look_of(AgentId id, std::uint32_t step) const {
 }
 
 std::vector<std::optional<double>> World::shortest_paths_m() const {
-  if (!transit_) return {};
+  if (!truth_) return {};
   std::vector<Vec3> starts_m;
   for (const VehicleRecord& vehicle : vehicles_) starts_m.push_back(vehicle.spec.start.position_m);
   return skein::shortest_paths_m(*truth_, starts_m, transit_->goals_m);
@@ -231,6 +237,7 @@ void World::add_to(StateHash& hash) const {
     hash.add(vehicle.arrival_step);
   }
   hash.add(contacts_.size());
+  movers_.add_to(hash);
 }
 
 }  // namespace skein

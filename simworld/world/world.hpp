@@ -6,9 +6,11 @@
 // the formation's direction) within the arrival radius of the slot; one that can hover, at the end of a step within
 // that radius. On a transit its goal is its slot, and it lands there: from then on it meets nobody. Obstacles that
 // agents are not told of are the world's alone; it also holds the grid of cells that are really occupied, which sensors
-// look at. Source: papers/001, section 2.1 (arrival in formation) and Eq. 17 (separation); contacts are counted, not
-// sampled; papers/004, section III-A. Complexity of a step: O(V^2 + V Z) for V vehicles and Z zones and hidden
-// obstacles.
+// look at. Movers (simworld/movers) are the world's alone as well, and so is when an announced zone is really occupied;
+// a body that a mover meets while the vehicle is at rest through the whole step is `Rammed`: no vehicle can help that.
+// Source: papers/001, section 2.1 (arrival in formation) and Eq. 17 (separation); contacts are counted, not sampled;
+// papers/004, section III-A; papers/000, section 2.3. Complexity of a step: O(V^2 + V Z) for V vehicles and Z zones,
+// movers and hidden obstacles.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +24,8 @@
 #include "planner/core/lockstep/map_sample.hpp"
 #include "planner/core/mission/mission.hpp"
 #include "simworld/collision/obstacle.hpp"
+#include "simworld/movers/movers.hpp"
+#include "simworld/movers/surprises.hpp"
 #include "simworld/sensing/truth_grid.hpp"
 #include "simworld/vehicles/multirotor.hpp"
 
@@ -70,14 +74,28 @@ struct VehicleCommand {
   bool path_flown = false;  ///< the agent says that its path is flown to the end
 };
 
-enum class ContactKind : std::uint8_t { Vehicles, VehicleObstacle, NearMiss, NoFly, Terrain, Hidden };
+/// Rammed: by a mover, at rest. ZoneEntry: into an announced zone that is unconfirmed or occupied.
+enum class ContactKind : std::uint8_t {
+  Vehicles,
+  VehicleObstacle,
+  NearMiss,
+  NoFly,
+  Terrain,
+  Hidden,
+  Mover,
+  Rammed,
+  ZoneEntry
+};
+
+/// Way (m) of a step up to which a vehicle counts as at rest.
+inline constexpr double kAtRest_m = 1e-6;
 
 /// A stretch of steps in which two things were too close, counted once, at its first step.
 struct Contact {
   ContactKind kind = ContactKind::Vehicles;
   std::uint32_t step = 0;
   AgentId vehicle = 0;
-  std::uint32_t other = 0;  ///< the other vehicle's id, or the index of zone or hidden obstacle; 0 for the terrain
+  std::uint32_t other = 0;  ///< the other vehicle's id, or the index of zone, hidden obstacle or mover; else 0
   double distance_m = 0.0;  ///< between centres, or from centre to the surface of zone or terrain
 };
 
@@ -85,7 +103,8 @@ class World {
  public:
   /// @param hidden of a transit: the obstacles that agents are not told of
   /// @throws std::invalid_argument if the mission has no vehicles or a step is not positive.
-  World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obstacle> hidden = {});
+  World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obstacle> hidden = {},
+        const Surprises& surprises = {});
 
   /// The vehicle's agent is gone. Before the flight, and with OnAgentLoss::Remove, the vehicle is taken away.
   void lose_agent(AgentId id);
@@ -115,13 +134,20 @@ class World {
   /// inside.
   [[nodiscard]] std::optional<double> min_clearance_m() const { return min_clearance_m_; }
   [[nodiscard]] const std::vector<Obstacle>& hidden() const { return hidden_; }
-  /// Which cells are occupied; nothing if the mission is no transit.
+  /// Which cells are occupied; nothing if the mission is no transit by cells.
   [[nodiscard]] const TruthGrid* truth() const { return truth_ ? &*truth_ : nullptr; }
   /// What the vehicle's sensor sees as step `step` (from 1) opens; empty if it does not look then, landed or is gone.
-  /// @pre the mission is a transit
+  /// @pre truth() is there
   [[nodiscard]] CellWindow look_of(AgentId id, std::uint32_t step) const;
+  /// The movers whose surface is within the range of the vehicle as the next step opens, by ascending id.
+  [[nodiscard]] std::vector<Track> tracks_of(AgentId id, double range_m) const;
+  /// Of every announced zone in step `step` (from 1), as in Mission::announced.
+  [[nodiscard]] std::vector<ZoneState> zone_states(std::uint32_t step) const;
+  /// The vehicle does what its agent commands.
+  [[nodiscard]] bool obeys(AgentId id) const;
+  [[nodiscard]] const std::vector<MoverRecord>& movers() const { return movers_.all(); }
   /// By vehicle, the shortest way from start to goal with full knowledge (simworld/sensing/shortest_paths.hpp); empty
-  /// if the mission is no transit.
+  /// if the mission is no transit by cells.
   [[nodiscard]] std::vector<std::optional<double>> shortest_paths_m() const;
   void add_to(StateHash& hash) const;
 
@@ -135,6 +161,12 @@ class World {
   void check_zones(std::uint32_t step);
   void check_hidden(std::uint32_t step);
   void check_terrain(std::uint32_t step);
+  void check_movers(std::uint32_t step);
+  void check_announced(std::uint32_t step);
+  void prepare(const Mission& mission, const Surprises& surprises);
+  [[nodiscard]] std::vector<Bystander> bystanders() const;
+  /// The vehicle as it really is: some are slower than the mission says.
+  [[nodiscard]] VehicleSpec real_spec(const VehicleRecord& vehicle, std::uint32_t step) const;
   void note(bool touching, std::vector<bool>& open, std::size_t key, const Contact& contact);
 
   double step_s_;
@@ -150,6 +182,10 @@ class World {
   bool airborne_ = false;
   std::vector<VehicleRecord> vehicles_;
   std::vector<Motion> motions_;
+  Movers movers_;
+  std::vector<SlowVehicle> slow_;
+  std::vector<Announcement> announced_;
+  std::vector<Occupation> occupations_;  ///< by announcement
   std::vector<Contact> contacts_;
   std::vector<bool> touching_;   ///< vehicle x vehicle: bodies in contact in the last step
   std::vector<bool> near_;       ///< vehicle x vehicle: safety spheres in contact in the last step
@@ -157,6 +193,8 @@ class World {
   std::vector<bool> in_hidden_;  ///< vehicle x hidden obstacle
   std::vector<double> least_m_;  ///< vehicle x vehicle: least distance so far
   std::vector<bool> grounded_;   ///< vehicle: in contact with the terrain in the last step
+  std::vector<bool> in_mover_;   ///< vehicle x mover
+  std::vector<bool> in_closed_;  ///< vehicle x announced zone
   std::optional<double> min_separation_m_;
   std::optional<double> min_clearance_m_;
 };

@@ -1,5 +1,5 @@
 // Only whole processes can prove it: a swarm crosses unknown space over DDS, shares its maps, and is the run that one
-// process makes; and the sweep sets controllers side by side.
+// process makes; and the sweep sets planners side by side.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ TEST(Transit, AKilledAgentsRunEqualsItsReplay) {
   EXPECT_EQ(replay.report.at("state_hash"), run.report.at("state_hash"));
 }
 
-TEST(Transit, TheSweepSetsControllersAndValuesSideBySide) {
+TEST(Transit, TheSweepSetsPlannersAndValuesSideBySide) {
   std::vector<std::string> command{binary("skein"),
                                    "sweep",
                                    scenario_path("transit-power-station"),
@@ -80,7 +80,7 @@ TEST(Transit, TheSweepSetsControllersAndValuesSideBySide) {
                                    "2",
                                    "--agents",
                                    "3",
-                                   "--controller",
+                                   "--planner",
                                    "peach3d,peach",
                                    "--set",
                                    "planner.cell_m=4,6"};
@@ -107,7 +107,7 @@ TEST(Transit, MistakesAreNamedInOneLine) {
                                                 {"run", transit, "--set", "radio.loss=2"},
                                                 {"run", transit, "--set", "planner.decision_s=0.3"},
                                                 {"run", transit, "--set", "formation={}"},
-                                                {"sweep", transit, "--runs", "1", "--controller", "peach3d,nonesuch"},
+                                                {"sweep", transit, "--runs", "1", "--controller", "orca,nonesuch"},
                                                 {"sweep", rendezvous, "--runs", "1", "--controller", "peach3d"},
                                                 {"sweep", transit, "--runs", "1", "--set", "sensor.range_m=24,-1"},
                                                 {"validate", transit, "--set", "goals={x_m: 64, y_m: 10}"}}) {

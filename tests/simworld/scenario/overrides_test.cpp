@@ -54,13 +54,12 @@ TEST(FlagOverrides, AgentsAreTheVehiclesOfATransitOrOfARing) {
   EXPECT_EQ(scenario_of(ring).mission.vehicles.size(), 7U);
 }
 
-TEST(FlagOverrides, TheControllerIsThePlannerOfATransit) {
-  EXPECT_EQ(transit_with({}).mission.transit->planner.name, "peach3d");
-  for (const char* name : {"peach", "peach3d-paper"}) {
-    EXPECT_EQ(transit_with({{std::string(kControllerFlag), name}}).mission.transit->planner.name, name);
-  }
+TEST(FlagOverrides, TheControllerIsThatOfEveryKind) {
+  EXPECT_EQ(transit_with({}).mission.controller.name, "apf");
+  EXPECT_EQ(transit_with({{std::string(kControllerFlag), "orca"}}).mission.controller.name, "orca");
+  EXPECT_EQ(scenario_of(load_small({{"--controller", "orca"}})).mission.controller.name, "orca");
   EXPECT_EQ(fault_line(load_small({{"--controller", "peach"}})),
-            "--controller: only a transit has controllers to choose from; allowed: --planner");
+            "--set controller.name: controller.name is 'peach'; allowed: apf, orca");
 }
 
 TEST(FlagOverrides, ExtraStepsAreOfTheWorld) {
@@ -128,7 +127,8 @@ const Refused kRefused[] = {
     {"LineBreakInKey",
      {{"a\nb", "1"}},
      "--set a\\x0ab: unknown key 'a\\x0ab'; allowed: name, kind, seed, length_unit_m, step_s, arrival_radius_m, "
-     "vehicles, formation, obstacles, no_fly, terrain, planner, lockstep, world"},
+     "vehicles, formation, obstacles, no_fly, terrain, planner, lockstep, world, sensor, controller, moving_obstacles, "
+     "sudden_obstacles, random_obstacles, announced"},
     {"StartMovedIntoAnObstacle",
      {{"vehicles.starts.1.x_m", "4000"}, {"vehicles.starts.1.y_m", "500"}},
      "--set vehicles.starts.1.x_m: the start of vehicle 1 is 300 m inside obstacles.1; allowed: more than 2 m from it, "
