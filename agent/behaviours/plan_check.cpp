@@ -9,10 +9,10 @@
 namespace skein {
 namespace {
 
-constexpr double kStep_m = 0.25;    ///< least distance of two places at which a path is looked at
-constexpr double kSlow_s = 1.0;     ///< without becoming faster
-constexpr double kLate_s = 0.5;     ///< too late
-constexpr double kSame_part = 0.02; ///< of a speed: no difference
+constexpr double kStep_m = 0.25;      ///< least distance of two places at which a path is looked at
+constexpr double kSlow_s = 1.0;       ///< without becoming faster
+constexpr double kLate_s = 0.5;       ///< too late
+constexpr double kSame_part = 0.02;   ///< of a speed: no difference
 constexpr double kAllowance_s = 3.0;  ///< in which the end of the way is caught up by slowing down later
 
 std::uint32_t steps_of(double time_s, double step_s) {
@@ -24,7 +24,7 @@ std::uint32_t steps_of(double time_s, double step_s) {
 bool blocks(const FlightPath& path, double from_m, const Track& obstacle, double keep_out_m, double to_m) {
   const Cylinder column = rendezvous::column_of(obstacle);
   const double length_m = std::min(to_m, path.length_m());
-  for (double s_m = from_m;; ) {
+  for (double s_m = from_m;;) {
     const double spare_m = signed_distance(path.position_at(s_m), column) - keep_out_m;
     if (spare_m < 0.0) return true;
     if (s_m >= length_m) return false;

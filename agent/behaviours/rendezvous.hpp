@@ -9,9 +9,8 @@
 //   flying    Arrived                                  nothing              straight on; multirotor: hover
 //   finished  as before                                nothing              nothing
 // Where something is sensed (controller.sensor_range_m) or plans are made under way (planner.replan), under_way.hpp
-// says what it does in flight. One that came back waits for the next plan of the swarm: mode Rejoined on the ground, and
-// in flight while its vehicle is not its own.
-// Source: papers/001, sections 2.1 and 3.2.5.
+// says what it does in flight. One that came back waits for the next plan of the swarm: mode Rejoined on the ground,
+// and in flight while its vehicle is not its own. Source: papers/001, sections 2.1 and 3.2.5.
 #pragma once
 
 #include "agent/behaviours/behaviour.hpp"

@@ -116,8 +116,8 @@ void Replanning::open(const Tick& tick, std::span<const Representative> peers) {
   std::ranges::sort(joiners, {}, &rendezvous::Joiner::agent);
   const Mission mission = rendezvous::revised(mission_, joiners, attempt_);
   try {
-    plan_.emplace(NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps,
-                          rendezvous::united(joiners)});
+    plan_.emplace(
+        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(joiners)});
   } catch (const std::invalid_argument&) {  // of all alike: one promised a pose that nobody can plan from
     return fail(tick);
   }

@@ -74,7 +74,8 @@ class Replanning {
  private:
   enum class State : std::uint8_t { Idle, Called, Joined, Planning, Ready };
 
-  [[nodiscard]] std::optional<std::uint32_t> called_switch(const Tick& tick, std::span<const Representative> peers) const;
+  [[nodiscard]] std::optional<std::uint32_t> called_switch(const Tick& tick,
+                                                           std::span<const Representative> peers) const;
   [[nodiscard]] std::uint32_t steps_to_switch() const;
   void open(const Tick& tick, std::span<const Representative> peers);
   void plan(const Tick& tick, std::span<const Representative> peers);

@@ -71,9 +71,8 @@ void UnderWay::sense(const Tick& tick, const Sense& sense) {
   for (const Track& track : sense.tracks) {
     if (track.fixed) note_known(track, false);
   }
-  std::erase_if(heard_, [&](AgentId id) {
-    return std::ranges::find(tick.roster, id, &RosterEntry::agent) == tick.roster.end();
-  });
+  std::erase_if(
+      heard_, [&](AgentId id) { return std::ranges::find(tick.roster, id, &RosterEntry::agent) == tick.roster.end(); });
   for (const HeardPeer& peer : sense.heard) {
     if (std::ranges::find(tick.roster, peer.agent, &RosterEntry::agent) == tick.roster.end()) continue;
     const auto place = std::ranges::lower_bound(heard_, peer.agent);

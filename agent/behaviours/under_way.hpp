@@ -1,5 +1,5 @@
-// A rendezvous in flight that looks about itself: it keeps to the plan, evades what comes, and plans anew with its peers
-// when the plan does not hold.
+// A rendezvous in flight that looks about itself: it keeps to the plan, evades what comes, and plans anew with its
+// peers when the plan does not hold.
 //
 //   plan -> moving reference -> wish -> velocity controller -> monitor -> command
 //
@@ -10,8 +10,8 @@
 //   no plan      -                              multirotor: stays where it waits; constant        Replanning; Flying
 //                                               speed: circles                                    between attempts
 // Its plan does not hold if it is blocked or late (plan_check.hpp), or if it has none: then it calls for a new one
-// (replanning.hpp). What moves never becomes an obstacle of a plan: the controller evades it, and the reference leaves a
-// tenth of the speed to catch up. Only the new plan says how late all are; nobody's own.
+// (replanning.hpp). What moves never becomes an obstacle of a plan: the controller evades it, and the reference leaves
+// a tenth of the speed to catch up. Only the new plan says how late all are; nobody's own.
 //
 // Source: papers/000, section 2; papers/001, section 5. Departs from source: own. Complexity: that of its parts.
 #pragma once

@@ -59,8 +59,8 @@ Vec3 UnderWay::wish() {
   if (!hovers()) {
     if (!plan_) return velocity_along(pose.heading_rad + turn_rad_, spec_.speed_mps);
     reference_m_ = plan_->path.position_at(plan_->follower.next_m());
-    const auto command = std::visit([&](const auto& path) { return plan_->follower.command(path, pose); },
-                                    plan_->path.in_space());
+    const auto command =
+        std::visit([&](const auto& path) { return plan_->follower.command(path, pose); }, plan_->path.in_space());
     arrived_ = command.path_flown && !replanning_.engaged();
     return command.velocity_mps;
   }

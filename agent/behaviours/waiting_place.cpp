@@ -11,13 +11,13 @@
 namespace skein {
 namespace {
 
-constexpr double kReserve_m = 0.25;     ///< beyond the planner's distance
-constexpr double kSample_m = 0.5;       ///< of a path, and of rings around a place
-constexpr double kHardest_part = 0.8;   ///< of what the vehicle can brake
-constexpr double kReach_radii = 3.0;    ///< turning radii that should be clear ahead
+constexpr double kReserve_m = 0.25;    ///< beyond the planner's distance
+constexpr double kSample_m = 0.5;      ///< of a path, and of rings around a place
+constexpr double kHardest_part = 0.8;  ///< of what the vehicle can brake
+constexpr double kReach_radii = 3.0;   ///< turning radii that should be clear ahead
 constexpr int kRings = 60;
 constexpr int kDirections = 16;
-constexpr int kTries = 4;               ///< places behind that are asked for a way to the slot
+constexpr int kTries = 4;  ///< places behind that are asked for a way to the slot
 
 struct Chooser {
   const WaitingQuery& query;
@@ -41,8 +41,7 @@ struct Chooser {
   }
   [[nodiscard]] Pose somehow(const Vec3& place_m) const {
     const double reach_m = kReach_radii / own.max_curvature_per_m;
-    return {place_m,
-            rendezvous::clearest_heading(query.mission, query.self, place_m, query.obstacles, reach_m), 0.0};
+    return {place_m, rendezvous::clearest_heading(query.mission, query.self, place_m, query.obstacles, reach_m), 0.0};
   }
   [[nodiscard]] Pose leaving(const Vec3& place_m) const {
     const auto pose = with_way_out(place_m);

@@ -4,9 +4,9 @@
 //   2. else as far as is clear, braking harder, if that is enough
 //   3. else the nearest clear place of the path behind
 //   without a path, or far off it: where it can stop; else the nearest clear place around
-// Clear is what keeps the planner's distance from zones and obstacles, and a little more. Of the places behind, one from
-// which a path of one segment leads to the slot is preferred. Peers that brake in step on paths that keep apart keep
-// apart while they brake. Source, Departs from source: own. Complexity: O(samples * zones) and best_departure.
+// Clear is what keeps the planner's distance from zones and obstacles, and a little more. Of the places behind, one
+// from which a path of one segment leads to the slot is preferred. Peers that brake in step on paths that keep apart
+// keep apart while they brake. Source, Departs from source: own. Complexity: O(samples * zones) and best_departure.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@
 namespace skein {
 
 struct WaitingPlace {
-  Pose pose;                   ///< at rest; level
+  Pose pose;                         ///< at rest; level
   std::optional<double> brake_mps2;  ///< the reference comes to rest there with this deceleration
 };
 
