@@ -22,7 +22,10 @@ std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self) 
   throw std::invalid_argument("no behaviour is for this kind of mission");
 }
 
-std::unique_ptr<Behaviour> make_rejoined_behaviour() {
+std::unique_ptr<Behaviour> make_rejoined_behaviour(const Mission& mission, AgentId self) {
+  if (mission.kind == MissionKind::Rendezvous && mission.planner.replan != 0) {
+    return std::make_unique<RendezvousBehaviour>(mission, self, true);
+  }
   return std::make_unique<RejoinedBehaviour>();
 }
 

@@ -50,7 +50,8 @@ class Behaviour {
 /// The behaviour of the mission's kind for one agent. @throws std::invalid_argument if the mission has no such vehicle.
 [[nodiscard]] std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self);
 
-/// That of an agent that came back after a loss, whatever the mission's kind.
-[[nodiscard]] std::unique_ptr<Behaviour> make_rejoined_behaviour();
+/// That of an agent that came back after a loss: one that holds its course, or where the swarm plans anew under way,
+/// one that calls for that.
+[[nodiscard]] std::unique_ptr<Behaviour> make_rejoined_behaviour(const Mission& mission, AgentId self);
 
 }  // namespace skein

@@ -1,5 +1,7 @@
 #include "agent/behaviours/rendezvous.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace skein {
@@ -14,25 +16,38 @@ Vec3 at_height(const Vec3& p, double /*height_m*/) {
 
 }  // namespace
 
-RendezvousBehaviour::RendezvousBehaviour(const Mission& mission, AgentId self)
+RendezvousBehaviour::RendezvousBehaviour(const Mission& mission, AgentId self, bool rejoined)
     : planner_(mission, self),
       vehicle_(vehicle_of(mission, self).type),
+      replans_(mission.planner.replan != 0),
+      rejoined_(rejoined),
       follower_(vehicle_of(mission, self), mission.step_s),
-      reference_(vehicle_of(mission, self), mission.step_s) {}
+      reference_(vehicle_of(mission, self), mission.step_s) {
+  const bool senses = mission.controller.sensor_range_m > 0.0 && vehicle_ == VehicleType::Multirotor;
+  if (replans_ || senses) under_way_.emplace(mission, self);
+  if (rejoined) last_.mode = AgentMode::Rejoined;
+}
+
+bool RendezvousBehaviour::can_use(const Representative& peer) const {
+  return replans_ || planner_.can_use(peer);
+}
 
 RoundOutput RendezvousBehaviour::on_round(const RoundInput& input) {
   last_.representative.reset();
-  if (input.tick.phase == Phase::Planning) {
+  const bool on_the_ground = input.tick.phase == Phase::Planning && input.tick.step == 0;
+  if (on_the_ground && !rejoined_) {
     plan(input);
-  } else if (input.tick.phase == Phase::Flying) {
-    if (input.sense == nullptr) throw std::invalid_argument("a flight step needs the agent's own sense sample");
-    fly(*input.sense);
+  } else if (!on_the_ground && input.tick.phase != Phase::Finished) {
+    fly(input);
   }
   return last_;
 }
 
 void RendezvousBehaviour::plan(const RoundInput& input) {
-  const rendezvous::PlanRound round = planner_.advance(input.peers);
+  std::vector<Representative> usable;
+  std::ranges::copy_if(input.peers, std::back_inserter(usable),
+                       [this](const Representative& peer) { return planner_.can_use(peer); });
+  const rendezvous::PlanRound round = planner_.advance(usable);
   switch (round.status) {
     case rendezvous::PlanStatus::Planning:
       last_.mode = AgentMode::Planning;
@@ -52,7 +67,17 @@ void RendezvousBehaviour::plan(const RoundInput& input) {
   last_.representative = round.representative;
 }
 
-void RendezvousBehaviour::fly(const Sense& sense) {
+void RendezvousBehaviour::fly(const RoundInput& input) {
+  if (input.tick.phase == Phase::Flying && input.sense == nullptr) {
+    throw std::invalid_argument("a flight step needs the agent's own sense sample");
+  }
+  if (!under_way_) return follow(*input.sense);
+  if (!took_off_ && !rejoined_) under_way_->take_off(planner_);
+  took_off_ = true;
+  under_way_->on_round(input, last_);
+}
+
+void RendezvousBehaviour::follow(const Sense& sense) {
   const auto fly_along = [&](const auto& planner) {
     const auto& path = planner.path();
     if (vehicle_ == VehicleType::ConstantSpeed) {
@@ -74,6 +99,7 @@ void RendezvousBehaviour::add_to(StateHash& hash) const {
   planner_.add_to(hash);
   follower_.add_to(hash);
   if (vehicle_ == VehicleType::Multirotor) reference_.add_to(hash);
+  if (under_way_) under_way_->add_to(hash);
   hash.add(last_.mode).add(last_.commanded_velocity_mps).add(last_.planned_length_m).add(last_.cost);
 }
 

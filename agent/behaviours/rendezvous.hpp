@@ -8,10 +8,13 @@
 //   flying    Flying, until the path is flown          nothing              velocity along the path
 //   flying    Arrived                                  nothing              straight on; multirotor: hover
 //   finished  as before                                nothing              nothing
-// Source: papers/001, sections 2.1 and 3.2.5.
+// Where something is sensed (controller.sensor_range_m) or plans are made under way (planner.replan), under_way.hpp
+// says what it does in flight. One that came back waits for the next plan of the swarm: mode Rejoined on the ground,
+// and in flight while its vehicle is not its own. Source: papers/001, sections 2.1 and 3.2.5.
 #pragma once
 
 #include "agent/behaviours/behaviour.hpp"
+#include "agent/behaviours/under_way.hpp"
 #include "agent/controller/moving_reference.hpp"
 #include "agent/controller/path_follower.hpp"
 #include "planner/rendezvous/planner.hpp"
@@ -20,21 +23,28 @@ namespace skein {
 
 class RendezvousBehaviour final : public Behaviour {
  public:
+  /// @param rejoined it came back after a loss, and has no plan
   /// @throws std::invalid_argument if the mission has no such vehicle or its options are not legal.
-  RendezvousBehaviour(const Mission& mission, AgentId self);
+  RendezvousBehaviour(const Mission& mission, AgentId self, bool rejoined = false);
 
-  [[nodiscard]] bool can_use(const Representative& peer) const override { return planner_.can_use(peer); }
+  /// With planner.replan 1 any: which ones count depends on the plan under way, and is sorted out in the round.
+  [[nodiscard]] bool can_use(const Representative& peer) const override;
   RoundOutput on_round(const RoundInput& input) override;
   void add_to(StateHash& hash) const override;
 
  private:
   void plan(const RoundInput& input);
-  void fly(const Sense& sense);
+  void fly(const RoundInput& input);
+  void follow(const Sense& sense);
 
   rendezvous::Planner planner_;
   VehicleType vehicle_;
+  bool replans_;
+  bool rejoined_;
+  bool took_off_ = false;
   PathFollower follower_;      ///< of a constant-speed vehicle
   MovingReference reference_;  ///< of a multirotor
+  std::optional<UnderWay> under_way_;
   RoundOutput last_;
 };
 

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace skein {
 namespace {
 
-
-  const char* v = std::getenv(n);
-  return v ? std::atof(v) : d;
-}
 constexpr double kRight = 0.3;
 constexpr double kGain = 1.0;
 constexpr double kClosing_mps = 1.0;

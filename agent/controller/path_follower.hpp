@@ -30,6 +30,9 @@ class PathFollower {
   [[nodiscard]] Command command(const rendezvous::ph::JoinedPlanarPath& path, const Pose& pose);
   [[nodiscard]] Command command(const rendezvous::ph::JoinedSpatialPath& path, const Pose& pose);
 
+  /// Arc length (m) of the vehicle's place on the path, at the beginning of the next step.
+  [[nodiscard]] double next_m() const { return under_way_ ? travelled_m_ + step_m_ : 0.0; }
+
   void add_to(StateHash& hash) const { hash.add(travelled_m_); }
 
  private:

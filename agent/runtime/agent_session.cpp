@@ -101,7 +101,7 @@ void AgentSession::follow_roster() {
 void AgentSession::become_live(std::uint32_t incarnation) {
   state_ = State::Live;
   incarnation_ = incarnation;
-  if (incarnation > 1) behaviour_ = make_rejoined_behaviour();
+  if (incarnation > 1) behaviour_ = make_rejoined_behaviour(mission_, id_);
 }
 
 /// Dropped: nothing of its former life is left but the mission and the newest tick.

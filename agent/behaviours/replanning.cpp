@@ -1,0 +1,163 @@
+#include "agent/behaviours/replanning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "planner/rendezvous/replan.hpp"
+
+namespace skein {
+namespace {
+
+constexpr double kSettle_s = 1.5;  ///< after braking, until a multirotor stands
+constexpr double kBreak_s = 1.0;   ///< after the first failure; longer after each
+
+std::uint32_t steps_of(double time_s, double step_s) {
+  return static_cast<std::uint32_t>(std::ceil(time_s / step_s));
+}
+
+}  // namespace
+
+Replanning::Replanning(const Mission& mission, AgentId self) : mission_(mission), self_(self) {}
+
+bool Replanning::may_call(std::uint32_t step) const {
+  if (engaged() || failures_ >= kMaxAttempts) return false;
+  return failures_ == 0 || step >= failed_step_ + failures_ * steps_of(kBreak_s, mission_.step_s);
+}
+
+/// Enough for a multirotor to come to rest, and for the planning; a failure asks for more of both.
+std::uint32_t Replanning::steps_to_switch() const {
+  const VehicleSpec& own = vehicle_of(mission_, self_);
+  const RendezvousOptions& options = mission_.planner;
+  const double braking_s =
+      own.type == VehicleType::Multirotor ? own.speed_mps / (0.5 * own.max_acceleration_mps2) + kSettle_s : 0.0;
+  const std::uint32_t stages = std::min(failures_ + 2, static_cast<std::uint32_t>(options.max_segments));
+  const auto rounds = static_cast<std::uint32_t>(options.generations + options.equalise_rounds + 2) * stages + 2;
+  const auto per_step = static_cast<std::uint32_t>(options.rounds_per_step);
+  const double slower = 1.0 + 0.5 * failures_;
+  return std::max(steps_of(slower * braking_s, mission_.step_s), (rounds + per_step - 1) / per_step) + 2;
+}
+
+/// The switch step of calls that were published in the round before, its own included; nothing if there were none.
+std::optional<std::uint32_t> Replanning::called_switch(const Tick& tick, std::span<const Representative> peers) const {
+  const std::uint32_t before = tick.round - 1;
+  std::optional<std::uint32_t> latest;
+  const auto note = [&](const Revision& revision) {
+    if (revision.attempt != before || revision.switch_step <= tick.step) return;
+    latest = std::max(latest.value_or(0), revision.switch_step);
+  };
+  for (const Representative& peer : peers) {
+    if (peer.revision) note(*peer.revision);
+  }
+  if (state_ == State::Called) note(own_);
+  return latest;
+}
+
+ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> peers, bool takes_part) {
+  sample_.reset();
+  if (!takes_part) {
+    state_ = State::Idle;
+    plan_.reset();
+    return ReplanEvent::None;
+  }
+  if (const auto step = called_switch(tick, peers)) {
+    state_ = State::Joined;
+    attempt_ = tick.round - 1;
+    switch_step_ = *step;
+    plan_.reset();
+    return ReplanEvent::Join;
+  }
+  const State before = state_;
+  if (before == State::Joined) {
+    open(tick, peers);
+  } else if (before == State::Planning) {
+    plan(tick, peers);
+  }
+  const bool due = tick.phase == Phase::Flying && tick.step >= switch_step_;
+  if (due && state_ == State::Ready) {
+    state_ = State::Idle;
+    failures_ = 0;
+    return ReplanEvent::Switch;
+  }
+  if (due && engaged()) fail(tick);
+  return before != State::Idle && state_ == State::Idle ? ReplanEvent::Fail : ReplanEvent::None;
+}
+
+void Replanning::call(const Tick& tick, Revision own) {
+  if (engaged() || tick.phase != Phase::Flying) throw std::logic_error("a call is for flight rounds, one at a time");
+  state_ = State::Called;
+  own_ = std::move(own);
+  own_.attempt = tick.round;
+  own_.switch_step = tick.step + steps_to_switch();
+  publish_revision();
+}
+
+void Replanning::join(Revision own) {
+  if (state_ != State::Joined) throw std::logic_error("there is no attempt to join");
+  own_ = std::move(own);
+  own_.attempt = attempt_;
+  own_.switch_step = switch_step_;
+  publish_revision();
+}
+
+void Replanning::publish_revision() {
+  sample_.emplace();
+  sample_->agent = self_;
+  sample_->revision = own_;
+}
+
+/// All that joined plan together.
+void Replanning::open(const Tick& tick, std::span<const Representative> peers) {
+  std::vector<rendezvous::Joiner> joiners{{self_, own_}};
+  for (const Representative& peer : peers) {
+    if (peer.revision && peer.revision->attempt == attempt_) joiners.push_back({peer.agent, *peer.revision});
+  }
+  std::ranges::sort(joiners, {}, &rendezvous::Joiner::agent);
+  const Mission mission = rendezvous::revised(mission_, joiners, attempt_);
+  try {
+    plan_.emplace(
+        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(joiners)});
+  } catch (const std::invalid_argument&) {  // of all alike: one promised a pose that nobody can plan from
+    return fail(tick);
+  }
+  state_ = State::Planning;
+  sample_ = plan_->planner.advance({}).representative;
+}
+
+void Replanning::plan(const Tick& tick, std::span<const Representative> peers) {
+  std::vector<Representative> usable;
+  for (const Representative& peer : peers) {
+    if (!peer.revision && plan_->planner.can_use(peer)) usable.push_back(peer);
+  }
+  const rendezvous::PlanRound round = plan_->planner.advance(usable);
+  if (round.status == rendezvous::PlanStatus::Failed) return fail(tick);
+  if (round.status == rendezvous::PlanStatus::Ready) {
+    state_ = State::Ready;
+  } else {
+    sample_ = round.representative;
+  }
+}
+
+void Replanning::fail(const Tick& tick) {
+  state_ = State::Idle;
+  ++failures_;
+  failed_step_ = tick.step;
+  plan_.reset();
+  sample_.reset();
+}
+
+NewPlan Replanning::take() {
+  if (!plan_) throw std::logic_error("there is no new plan");
+  NewPlan plan = std::move(*plan_);
+  plan_.reset();
+  return plan;
+}
+
+void Replanning::add_to(StateHash& hash) const {
+  hash.add(state_).add(attempt_).add(switch_step_).add(failures_).add(failed_step_);
+  if (engaged()) skein::add_to(hash, own_);
+  if (plan_) plan_->planner.add_to(hash);
+}
+
+}  // namespace skein

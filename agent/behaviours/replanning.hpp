@@ -1,0 +1,97 @@
+// How a swarm comes to a new plan under way: one agent calls, all join, plan and switch together, or all fail alike.
+//
+//   state     in a round                                      publishes             goes to
+//   Idle      the agent wants a plan (flight rounds only)     call: a revision      Called
+//   any       a call of the round before is heard, its own    join: a revision      Joined
+//             included: its round is the attempt's number
+//   Joined    the next                                        generation 0          Planning: with all that joined
+//   Planning  the next                                        its representative    Planning; Ready; Idle: failed
+//   Ready     before the switch                               nothing               Ready
+//   Planning  the flight round of the switch step             nothing               Idle: failed, too late
+//   Ready     the flight round of the switch step             nothing               Idle: all turn to the new plan
+// A call says when to switch; of several in one round the latest counts. A newer call takes the place of an attempt
+// that is under way: it comes from one who could not join that one. All of it follows from samples of one round that
+// all live agents see alike, so all join, plan, fail and switch in the same rounds, whoever is lost on the way; and
+// Ready says that all live agents that take part accepted the plan.
+// Who arrived, or has no vehicle, takes no part; its peers do not wait for it.
+//
+// Source: papers/001, section 5. Departs from source: own; the paper only names the on-line use. Complexity: that of
+// the planner's rounds.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "planner/core/lockstep/samples.hpp"
+#include "planner/rendezvous/planner.hpp"
+
+namespace skein {
+
+/// What a round changed for the agent that hears it.
+enum class ReplanEvent : std::uint8_t {
+  None,
+  Join,    ///< an attempt begins: join() is due in this round
+  Switch,  ///< the new plan is to be flown from this step on: take() it
+  Fail,    ///< the attempt is over without a plan
+};
+
+/// A plan that the swarm accepted.
+struct NewPlan {
+  rendezvous::Planner planner;  ///< Ready
+  double speed_mps = 0.0;       ///< of all
+  std::vector<Track> avoided;   ///< the obstacles that it keeps clear of, by ascending id
+};
+
+class Replanning {
+ public:
+  Replanning(const Mission& mission, AgentId self);
+
+  /// Once a round, first. @param takes_part whether this agent can fly a plan
+  [[nodiscard]] ReplanEvent hear(const Tick& tick, std::span<const Representative> peers, bool takes_part);
+  /// Calls for a new plan in a flight round. @pre hear() said None or Fail, and nothing is under way
+  void call(const Tick& tick, Revision own);
+  /// Takes part. @param own attempt and switch_step are filled in. @pre hear() said Join in this round
+  void join(Revision own);
+  /// @pre hear() said Switch in this round
+  [[nodiscard]] NewPlan take();
+
+  /// What is to be published in this round.
+  [[nodiscard]] const std::optional<Representative>& sample() const { return sample_; }
+  /// An attempt is under way.
+  [[nodiscard]] bool engaged() const { return state_ != State::Idle; }
+  /// The step in which all turn to the new plan. @pre engaged()
+  [[nodiscard]] std::uint32_t switch_step() const { return switch_step_; }
+  /// Attempts in a row that ended without a plan.
+  [[nodiscard]] std::uint32_t failures() const { return failures_; }
+  /// Whether a call would make sense in a step: none is under way, the break after a failure is over, and not
+  /// kMaxAttempts have failed.
+  [[nodiscard]] bool may_call(std::uint32_t step) const;
+
+  static constexpr std::uint32_t kMaxAttempts = 8;
+
+  void add_to(StateHash& hash) const;
+
+ private:
+  enum class State : std::uint8_t { Idle, Called, Joined, Planning, Ready };
+
+  [[nodiscard]] std::optional<std::uint32_t> called_switch(const Tick& tick,
+                                                           std::span<const Representative> peers) const;
+  [[nodiscard]] std::uint32_t steps_to_switch() const;
+  void open(const Tick& tick, std::span<const Representative> peers);
+  void plan(const Tick& tick, std::span<const Representative> peers);
+  void fail(const Tick& tick);
+  void publish_revision();
+
+  const Mission mission_;
+  AgentId self_;
+  State state_ = State::Idle;
+  std::uint32_t attempt_ = 0;
+  std::uint32_t switch_step_ = 0;
+  std::uint32_t failures_ = 0;
+  std::uint32_t failed_step_ = 0;
+  Revision own_;
+  std::optional<Representative> sample_;
+  std::optional<NewPlan> plan_;
+};
+
+}  // namespace skein

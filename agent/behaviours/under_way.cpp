@@ -1,0 +1,231 @@
+#include "agent/behaviours/under_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "planner/core/geometry/frames.hpp"
+#include "planner/core/math/det_math.hpp"
+#include "planner/rendezvous/replan.hpp"
+
+namespace skein {
+namespace {
+
+/// Of the speed that all can keep, what the moving reference takes: the rest is for catching up.
+constexpr double kShare = 0.9;
+/// Of the speed that a slow vehicle was seen to reach, what it promises.
+constexpr double kPromise = 0.98;
+/// Within which every live peer is heard: a rendezvous has no radio of limited range.
+constexpr double kPeerRange_m = 1e6;
+constexpr std::size_t kMostKnown = 64;
+
+FlightPath path_of(const rendezvous::Planner& planner, double height_m) {
+  return std::visit([&](const auto& in_space) { return FlightPath(in_space.path(), height_m); }, planner.in_space());
+}
+
+VehicleSpec with_speed(VehicleSpec spec, double speed_mps) {
+  spec.speed_mps = speed_mps;
+  return spec;
+}
+
+}  // namespace
+
+UnderWay::UnderWay(const Mission& mission, AgentId self)
+    : mission_(mission),
+      self_(self),
+      spec_(vehicle_of(mission, self)),
+      controller_(mission.controller, spec_, mission.step_s, kPeerRange_m),
+      replanning_(mission, self),
+      speed_(mission.step_s),
+      late_(mission.step_s),
+      hold_(spec_, mission.step_s, kShare),
+      turn_rad_(spec_.max_curvature_per_m * spec_.speed_mps * mission.step_s) {}
+
+void UnderWay::take_off(const rendezvous::Planner& planner) {
+  set_plan(planner, spec_.speed_mps, {});
+}
+
+void UnderWay::set_plan(const rendezvous::Planner& planner, double speed_mps, std::span<const Track> avoided) {
+  const double height_m = slot_pose(mission_, spec_).position_m.z();
+  const VehicleSpec spec = with_speed(spec_, speed_mps);
+  plan_.emplace(Plan{path_of(planner, height_m), MovingReference(spec, mission_.step_s, kShare),
+                     PathFollower(spec, mission_.step_s)});
+  late_ = LateWatch(mission_.step_s);
+  waiting_.reset();
+  for (Known& known : known_) known.settled = false;
+  for (const Track& track : avoided) note_known(track, true);
+}
+
+void UnderWay::note_known(const Track& track, bool settled) {
+  const auto place = std::ranges::lower_bound(known_, track.id, {}, [](const Known& k) { return k.track.id; });
+  if (place == known_.end() || place->track.id != track.id) {
+    known_.insert(place, {track, settled});
+  } else if (settled) {
+    place->settled = true;
+  }
+}
+
+void UnderWay::sense(const Tick& tick, const Sense& sense) {
+  sense_ = sense;
+  sensed_ = true;
+  for (const Track& track : sense.tracks) {
+    if (track.fixed) note_known(track, false);
+  }
+  std::erase_if(
+      heard_, [&](AgentId id) { return std::ranges::find(tick.roster, id, &RosterEntry::agent) == tick.roster.end(); });
+  for (const HeardPeer& peer : sense.heard) {
+    if (std::ranges::find(tick.roster, peer.agent, &RosterEntry::agent) == tick.roster.end()) continue;
+    const auto place = std::ranges::lower_bound(heard_, peer.agent);
+    if (place == heard_.end() || *place != peer.agent) heard_.insert(place, peer.agent);
+  }
+  if (!hovers()) return;
+  const double commanded_mps = std::min(steering_.velocity_mps.norm(), spec_.speed_mps);
+  const double reached_mps = sense.velocity_mps.norm();
+  speed_.note(reached_mps, commanded_mps < 0.5 * spec_.speed_mps ? reached_mps : commanded_mps);
+}
+
+/// What peers know is known to all.
+void UnderWay::learn(std::span<const Representative> peers) {
+  for (const Representative& peer : peers) {
+    if (!peer.revision) continue;
+    for (const Track& track : peer.revision->obstacles) {
+      if (track.fixed) note_known(track, false);
+    }
+  }
+}
+
+bool UnderWay::takes_part() const {
+  return mission_.planner.replan != 0 && sensed_ && sense_.obeyed && !arrived_;
+}
+
+void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
+  const bool flying = input.tick.phase == Phase::Flying;
+  if (flying) {
+    if (input.sense == nullptr) throw std::invalid_argument("a flight step needs the agent's own sense sample");
+    sense(input.tick, *input.sense);
+  }
+  learn(input.peers);
+  switch (replanning_.hear(input.tick, input.peers, takes_part())) {
+    case ReplanEvent::Join:
+      stop(input.tick);
+      replanning_.join(revision(input.tick, wanted_.value_or(SafetyReason::None)));
+      break;
+    case ReplanEvent::Switch: {
+      const NewPlan next = replanning_.take();
+      set_plan(next.planner, next.speed_mps, next.avoided);
+      out.planned_length_m = plan_->path.length_m();
+      break;
+    }
+    case ReplanEvent::Fail:
+      plan_.reset();
+      break;
+    case ReplanEvent::None:
+      break;
+  }
+  if (flying) {
+    wanted_ = takes_part() ? wants() : std::nullopt;
+    if (wanted_ && replanning_.may_call(input.tick.step)) replanning_.call(input.tick, revision(input.tick, *wanted_));
+    fly(input.tick, out);
+  }
+  out.mode = replanning_.engaged() ? AgentMode::Replanning
+             : arrived_            ? AgentMode::Arrived
+             : sense_.obeyed       ? AgentMode::Flying
+                                   : AgentMode::Rejoined;
+  out.representative = replanning_.sample();
+}
+
+double UnderWay::to_come_m() const {
+  if (!hovers()) return plan_->follower.next_m();
+  return plan_->reference.travelled_m(plan_->path.length_m(), plan_->reference.now_s());
+}
+
+/// Why the plan does not hold, if it does not.
+std::optional<SafetyReason> UnderWay::wants() {
+  if (!plan_) return SafetyReason::NoPlan;
+  bool blocked = false;
+  for (Known& known : known_) {
+    if (known.settled) continue;
+    const double keep_out_m = spec_.radius_m + mission_.planner.clearance_margin_m;
+    // what it must still fly begins where it is itself, if it is behind its reference
+    const double behind_m = reference_m_ ? (*reference_m_ - sense_.pose.position_m).norm() : 0.0;
+    known.settled = !blocks(plan_->path, std::max(0.0, to_come_m() - behind_m), known.track, keep_out_m);
+    blocked = blocked || !known.settled;
+  }
+  if (blocked) return SafetyReason::Blocked;
+  if (!hovers() || replanning_.engaged()) return std::nullopt;
+  const MovingReference& reference = plan_->reference;
+  const double length_m = plan_->path.length_m();
+  const Vec3 there_m = plan_->path.position_at(reference.travelled_m(length_m, reference.now_s()));
+  Lateness now;
+  now.deviation_m = (there_m - sense_.pose.position_m).norm();
+  now.limit_m = mission_.controller.deviation_m;
+  now.spare_mps = speed_.limit_mps().value_or(spec_.speed_mps) - reference.cruise_mps();
+  now.left_s = reference.whole_s(length_m) - reference.now_s();
+  now.held_off = steering_.repelled || steering_.overruled || steering_.braking;
+  if (late_.note(now)) return SafetyReason::Deviation;
+  return std::nullopt;
+}
+
+std::vector<Track> UnderWay::obstacles() const {
+  std::vector<Track> tracks;
+  for (const Known& known : known_) tracks.push_back(known.track);
+  return tracks;
+}
+
+/// An attempt begins: a multirotor chooses where to wait for its plan, others whether they can fly on until then.
+void UnderWay::stop(const Tick& tick) {
+  if (hovers()) {
+    wait_hovering();
+  } else {
+    wait_circling(tick);
+  }
+}
+
+void UnderWay::wait_hovering() {
+  const std::vector<Track> obstacles = this->obstacles();
+  const WaitingQuery query{mission_, self_, obstacles};
+  const bool near = reference_m_ && (*reference_m_ - sense_.pose.position_m).norm() <= mission_.controller.deviation_m;
+  if (waiting_ && near) {  // it waits, or is about to
+    const Pose place = place_off_path(query, waiting_->pose.position_m, Vec3::Zero()).pose;
+    if (place.position_m != waiting_->pose.position_m) waiting_->brake_mps2.reset();
+    waiting_->pose = place;
+  } else if (plan_ && near) {
+    waiting_ = place_on_path(query, plan_->path, plan_->reference);
+    if (waiting_->brake_mps2) plan_->reference.brake(plan_->path.length_m(), *waiting_->brake_mps2);
+  } else {
+    waiting_ = place_off_path(query, sense_.pose.position_m, sense_.velocity_mps);
+  }
+}
+
+/// Without a path that is clear until the switch it circles, to the side that has more room.
+void UnderWay::wait_circling(const Tick& tick) {
+  const std::vector<Track> obstacles = this->obstacles();
+  if (plan_) {
+    const double until_m = (replanning_.switch_step() - tick.step + 1) * spec_.speed_mps * mission_.step_s;
+    const double keep_out_m = spec_.radius_m + mission_.planner.clearance_margin_m;
+    const bool clear = std::ranges::none_of(obstacles, [&](const Track& track) {
+      return blocks(plan_->path, plan_->follower.next_m(), track, keep_out_m, plan_->follower.next_m() + until_m);
+    });
+    if (clear) return;
+    plan_.reset();
+  }
+  const Vec2 along = direction_of_heading(sense_.pose.heading_rad);
+  const Vec3 left_m = Vec3(-along.y(), along.x(), 0.0) / spec_.max_curvature_per_m;
+  const double left_room_m = rendezvous::clearance_m(mission_, obstacles, sense_.pose.position_m + left_m);
+  const double right_room_m = rendezvous::clearance_m(mission_, obstacles, sense_.pose.position_m - left_m);
+  turn_rad_ = left_room_m >= right_room_m ? std::fabs(turn_rad_) : -std::fabs(turn_rad_);
+}
+
+Revision UnderWay::revision(const Tick& tick, SafetyReason reason) const {
+  Revision own;
+  own.reason = reason;
+  own.pose = sense_.pose;
+  if (replanning_.engaged()) own.pose = hovers() ? waiting_.value().pose : pose_at_switch(tick);
+  own.speed_mps = spec_.speed_mps;
+  if (speed_.limit_mps()) own.speed_mps = std::min(own.speed_mps, kPromise * *speed_.limit_mps());
+  own.obstacles = obstacles();
+  if (own.obstacles.size() > kMostKnown) own.obstacles.resize(kMostKnown);
+  return own;
+}
+
+}  // namespace skein
