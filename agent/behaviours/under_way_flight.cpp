@@ -9,11 +9,6 @@
 namespace skein {
 namespace {
 
-Vec3 clipped(const Vec3& v, double most) {
-  const double size = v.norm();
-  return size > most ? Vec3(v * (most / size)) : v;
-}
-
 Vec3 velocity_along(double heading_rad, double speed_mps) {
   const Vec2 along = direction_of_heading(heading_rad);
   return {speed_mps * along.x(), speed_mps * along.y(), 0.0};

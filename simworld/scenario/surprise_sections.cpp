@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "planner/core/random/random_stream.hpp"
 #include "simworld/movers/movers.hpp"
 #include "simworld/scenario/random_movers.hpp"
 
@@ -14,7 +15,7 @@ constexpr Keys kMover[] = {"x_m",       "y_m",       "z_m",    "radius_m", "vx_m
                            "waypoints", "speed_mps", "turn_s", "within",   "at_s",   "near_m", "ahead"};
 constexpr Keys kPoint[] = {"x_m", "y_m", "z_m"};
 constexpr Keys kBox[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m", "z_max_m"};
-constexpr Keys kAhead[] = {"agent", "distance_m", "at_s", "column"};
+constexpr Keys kAhead[] = {"agent", "distance_m", "at_s", "at_latest_s", "column", "crossing_mps"};
 constexpr Keys kAnnounced[] = {"x_m",     "y_m",    "radius_m", "x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m",
                                "z_max_m", "from_s", "to_s",     "early_s", "late_s",  "clear_s", "aircraft"};
 constexpr Keys kAircraft[] = {"radius_m", "from", "to"};
@@ -58,13 +59,17 @@ MoverMotion read_motion(const MapReader& item, const Mover& mover, const std::op
     if (mover.ahead) item.refuse("waypoints", "no loop with ahead");
     return read_loop(item, mover);
   }
+  if (mover.ahead && mover.ahead->crosses) {
+    return LineMotion{Vec3(item.map("ahead", kAhead, true).number("crossing_mps", kSpeed), 0.0, 0.0)};
+  }
   if (item.find("turn_s") == nullptr) return StillMotion{};
   WalkMotion walk{item.number("speed_mps", kSpeed), item.number("turn_s", {1e-3, 1e6, "s"}), {}};
   walk.within = item.find("within") == nullptr && area ? *area : read_box(item.map("within", kBox, true));
   return walk;
 }
 
-void read_ahead(const MapReader& item, const Mission& mission, Mover& mover) {
+/// @param index of the mover: of the stream from which its moment is drawn
+void read_ahead(const MapReader& item, const Mission& mission, std::size_t index, Mover& mover) {
   const MapReader map = item.map("ahead", kAhead, true);
   for (const Keys key : {"x_m", "y_m", "z_m", "at_s", "near_m"}) {
     if (item.find(key) != nullptr) item.refuse(key, "no such key beside ahead");
@@ -74,16 +79,22 @@ void read_ahead(const MapReader& item, const Mission& mission, Mover& mover) {
       std::ranges::find(mission.vehicles, ahead.agent, &VehicleSpec::id) == mission.vehicles.end()) {
     map.refuse("agent", "the id of a vehicle, or 0: one that the seed draws");
   }
+  ahead.crosses = map.find("crossing_mps") != nullptr;
   mover.ahead = ahead;
   mover.at_s = map.number("at_s", kTime);
+  if (map.find("at_latest_s") != nullptr) {
+    const double latest_s = map.number("at_latest_s", {mover.at_s, kTime.max, "s"});
+    RandomStream stream(mission.seed, kWorldId, Purpose::Layout, 100 + index);
+    mover.at_s = stream.uniform(mover.at_s, latest_s);
+  }
   mover.column = map.whole("column", 0, 1, 0) == 1;
 }
 
-Mover read_mover(const MapReader& item, const std::optional<Box>& area, const Mission& mission) {
+Mover read_mover(const MapReader& item, const std::optional<Box>& area, const Mission& mission, std::size_t index) {
   Mover mover;
   mover.radius_m = item.number("radius_m", kExtent);
   if (item.find("ahead") != nullptr) {
-    read_ahead(item, mission, mover);
+    read_ahead(item, mission, index, mover);
   } else {
     mover.position_m = read_point(item);
     mover.column = item.find("z_m") == nullptr;
@@ -111,7 +122,7 @@ void read_movers(const MapReader& root, std::string_view list, const std::option
   const auto items = root.list(list, kMaxMovers, false);
   for (std::size_t i = 0; i < items.size(); ++i) {
     const MapReader item = root.item(list, i, kMover);
-    Mover mover = read_mover(item, area, into.mission);
+    Mover mover = read_mover(item, area, into.mission, into.world.surprises.movers.size());
     mover.name = fmt::format("{}.{}", list, i + 1);
     if (moving && std::holds_alternative<StillMotion>(mover.motion)) {
       throw ReadFault(place_of_item(items[i]), fmt::format("{} does not move; allowed: with vx_mps and vy_mps, with "
