@@ -278,8 +278,7 @@ Steering SafetyFilter::pass(const Scene& scene, const Vec3& wish_mps) const {
   Steering steering;
   steering.velocity_mps = wanted_mps;
   if (judge.safe(manoeuvre(brakes_, scene.position_m, scene.velocity_mps, v1_mps))) {
-    steering.overruled = wish_mps.norm() > cap_mps_ && cap_mps_ < speed_mps_;
-    if (!steering.overruled) steering.velocity_mps = wish_mps;
+    if (wish_mps.norm() <= cap_mps_ || cap_mps_ >= speed_mps_) steering.velocity_mps = wish_mps;
     return steering;
   }
   steering.overruled = true;
