@@ -56,8 +56,12 @@ TEST(HalfSpaces, NothingAllowedIsNearer) {
     for (int k = 0; k < 300; ++k) {
       const Vec3 v = any(6.0);
       if (v.norm() > 6.0) continue;
-      if (best && outside(v) <= 0.0) ASSERT_GE((v - wish).norm(), (*best - wish).norm() - 1e-6) << n;
-      if (!best) ASSERT_GE(outside(v), outside(least) - 1e-3) << n;
+      if (best && outside(v) <= 0.0) {
+        ASSERT_GE((v - wish).norm(), (*best - wish).norm() - 1e-6) << n;
+      }
+      if (!best) {
+        ASSERT_GE(outside(v), outside(least) - 1e-3) << n;
+      }
     }
   }
   EXPECT_GT(infeasible, 20);
