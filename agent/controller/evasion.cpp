@@ -41,6 +41,7 @@ Vec3 seen(const Vec3& v, bool column) {
 
 std::vector<Mover> movers_of(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene) {
   std::vector<Mover> movers;
+  movers.reserve(scene.tracks.size());
   for (const Track& t : scene.tracks) {
     if (t.fixed) continue;
     const double speed_mps = t.velocity_mps.norm();

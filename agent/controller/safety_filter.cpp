@@ -70,8 +70,10 @@ SafetyFilter::Judge::Judge(const SafetyFilter& filter, const Scene& scene) : fil
                                       after_step(brakes, filter.speed_mps_, scene.velocity_mps, Vec3::Zero()));
   const double gain_mps = inert ? brakes.acceleration_mps2 * brakes.step_s : filter.speed_mps_;
   const double fastest_mps = (inert ? scene.velocity_mps.norm() : 0.0) + gain_mps;
-  const double reach_m = stopping_distance_m(brakes, fastest_mps) + kRounding_m;
+  const double reach_m = stopping_bound_m(brakes, fastest_mps) + kRounding_m;
   const double time_s = stopping_time_s(brakes, fastest_mps) + brakes.step_s;
+  planes_.reserve(scene.neighbours.size());
+  moving_.reserve(scene.tracks.size());
   for (const ZoneShape& zone : scene.zones) {
     const double keep_m = filter.radius_m_ + filter.options_.margin_m;
     const double here_m = std::visit([&](const auto& shape) { return signed_distance(scene.position_m, shape); }, zone);
@@ -92,9 +94,9 @@ bool SafetyFilter::Judge::can_meet(const Neighbour& other, double reach_m) const
   const Brakes its{other.max_acceleration_mps2, filter_.brakes_.step_s};
   if (its.acceleration_mps2 <= 0.0) return true;  // it may do anything
   const double fastest_mps = other.velocity_mps.norm() + its.acceleration_mps2 * its.step_s;
-  const double apart_m = (other.position_m - scene_.position_m).norm();
-  return apart_m - reach_m - stopping_distance_m(its, fastest_mps) <=
-         filter_.radius_m_ + other.radius_m + filter_.options_.margin_m + kRounding_m;
+  const double near_m = reach_m + stopping_bound_m(its, fastest_mps) + filter_.radius_m_ + other.radius_m +
+                        filter_.options_.margin_m + kRounding_m;
+  return (other.position_m - scene_.position_m).squaredNorm() <= near_m * near_m;
 }
 
 void SafetyFilter::Judge::add(const Neighbour& other, const Segment& tail) {

@@ -43,6 +43,7 @@ TEST(Braking, IsWhatTheWorldsMultirotorDoes) {
     }
     ASSERT_EQ(steps, braking_steps(kBrakes, speed_mps));
     ASSERT_NEAR(state.position_m.norm(), braking_distance_m(kBrakes, speed_mps), 1e-9);
+    ASSERT_GE(stopping_bound_m(kBrakes, speed_mps), stopping_distance_m(kBrakes, speed_mps));
     ASSERT_GE(braking_distance_m(kBrakes, speed_mps), speed_mps * speed_mps / 8.0 - 1e-12);
     ASSERT_LE(braking_distance_m(kBrakes, speed_mps), speed_mps * speed_mps / 8.0 + 0.04 / 8.0 + 1e-12);
   }
