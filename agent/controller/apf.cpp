@@ -3,47 +3,80 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/controller/evasion.hpp"
+#include "agent/controller/manoeuvre.hpp"
+#include "agent/controller/nearest_point.hpp"
+
 namespace skein {
 namespace {
 
+/// Of D_safe: how far to the right of straight at a body the field turns from one side to the other.
 constexpr double kRight = 0.3;
-constexpr double kGain = 1.0;
+/// The closing speed (m/s) from which on repulsion is whole.
 constexpr double kClosing_mps = 1.0;
-constexpr double kMix = 0.0;
-constexpr double kReach = 1.0;
+/// By which the reach of the repulsion from what moves is wider than that of Eq. 6.
+constexpr double kWider = 3.0;
 
 struct Body {
-  Vec3 position_m;
-  Vec3 velocity_mps;
-  double safe_m;  ///< D_safe
-  bool column;
+  Vec3 apart_m;     ///< from it to the own place
+  Vec3 motion_mps;  ///< own, relative to it
+  double safe_m;    ///< D_safe
+  double wider;
 };
 
 Vec3 right_of(const Vec3& motion) {
   const double flat = std::sqrt(motion.x() * motion.x() + motion.y() * motion.y());
   if (flat <= 1e-3 * motion.norm()) return Vec3::UnitX();
-  return Vec3(motion.y() / flat, -motion.x() / flat, 0.0);
+  return {motion.y() / flat, -motion.x() / flat, 0.0};
 }
 
-Vec3 push_of(const Body& body, const Vec3& position_m, const Vec3& velocity_mps, double horizon_s) {
-  Vec3 apart_m = position_m - body.position_m;
-  Vec3 motion_mps = velocity_mps - body.velocity_mps;
-  if (body.column) apart_m.z() = motion_mps.z() = 0.0;
-  const double speed_squared = motion_mps.squaredNorm();
-  const double closing = -apart_m.dot(motion_mps);
-  const double distance_m = apart_m.norm();
+/// The repulsion from a body, as a part of the vehicle's speed.
+Vec3 push_of(const Body& body, double horizon_s) {
+  const double distance_m = body.apart_m.norm();
   Vec3 sum = Vec3::Zero();
-  if (distance_m < body.safe_m && distance_m > 0.0) sum += (1.0 - distance_m / body.safe_m) / distance_m * apart_m;
-  if (closing <= 0.0 || closing >= speed_squared * horizon_s) return sum;
-  const double at_s = closing / speed_squared;
-  const Vec3 offset_m = apart_m + at_s * motion_mps;
-  const double strength = repulsion(offset_m.norm() / (kReach * body.safe_m));
+  if (distance_m < body.safe_m && distance_m > 0.0) {
+    sum = (1.0 - distance_m / body.safe_m) / distance_m * body.apart_m;
+  }
+  const double squared = body.motion_mps.squaredNorm();
+  const double closing = -body.apart_m.dot(body.motion_mps);
+  if (closing <= 0.0 || closing >= squared * horizon_s) return sum;
+  const double at_s = closing / squared;
+  const Vec3 offset_m = body.apart_m + at_s * body.motion_mps;
+  const double strength = repulsion(offset_m.norm() / (body.wider * body.safe_m));
   if (strength <= 0.0) return sum;
+  const Vec3 aside_m = offset_m + kRight * body.safe_m * right_of(body.motion_mps);
+  const double size_m = aside_m.norm();
+  if (!(size_m > 0.0)) return sum;
   const double approach = std::min(1.0, closing / (distance_m * kClosing_mps));
-  const Vec3 aside_m = offset_m + kRight * body.safe_m * right_of(motion_mps);
-  const double size = aside_m.norm();
-  if (!(size > 0.0)) return sum;
-  return sum + strength * (1.0 - at_s / horizon_s) * approach / size * aside_m;
+  return sum + strength * (1.0 - at_s / horizon_s) * approach / size_m * aside_m;
+}
+
+Vec3 level(const Vec3& v) {
+  return {v.x(), v.y(), 0.0};
+}
+
+/// The sum of all repulsions, as a part of the vehicle's speed.
+Vec3 push_of_all(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene) {
+  const double own_m = spec.radius_m + options.margin_m;
+  const Vec3& p = scene.position_m;
+  const Vec3& v = scene.velocity_mps;
+  Vec3 sum = Vec3::Zero();
+  for (const Neighbour& other : scene.neighbours) {
+    const Body body{p - other.position_m, v - other.velocity_mps, own_m + other.radius_m, kWider};
+    sum += push_of(body, options.horizon_s);
+  }
+  for (const Track& track : scene.tracks) {
+    Body body{p - track.position_m, v - track.velocity_mps, own_m + track.radius_m, track.fixed ? 1.0 : kWider};
+    if (track.column) {
+      body.apart_m = level(body.apart_m);
+      body.motion_mps = level(body.motion_mps);
+    }
+    sum += push_of(body, options.horizon_s);
+  }
+  for (const ZoneShape& zone : scene.zones) {
+    sum += push_of({p - nearest_point(p, zone), v, own_m, 1.0}, options.horizon_s);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -60,20 +93,13 @@ double repulsion(double x) {
   return x < 2.0 ? 1.0 - 0.45 * x : 0.1 * (3.0 - x);
 }
 
-Vec3 apf_push(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene, const Vec3& wish_mps) {
-  Vec3 sum = Vec3::Zero();
-  const double own_m = spec.radius_m + options.margin_m;
-  const Vec3 u = kMix * wish_mps + (1 - kMix) * scene.velocity_mps;
-  for (const Neighbour& other : scene.neighbours) {
-    const Body body{other.position_m, other.velocity_mps, own_m + other.radius_m, false};
-    sum += push_of(body, scene.position_m, u, options.horizon_s);
-  }
-  for (const Track& track : scene.tracks) {
-    const Body body{track.position_m, track.velocity_mps, own_m + track.radius_m, track.column};
-    sum += push_of(body, scene.position_m, u, options.horizon_s);
-  }
-  if (wish_mps.z() == 0.0 && scene.velocity_mps.z() == 0.0) sum.z() = 0.0;
-  return kGain * spec.speed_mps * sum;
+Vec3 apf_velocity(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene, const Vec3& wish_mps) {
+  const bool flat = wish_mps.z() == 0.0 && scene.velocity_mps.z() == 0.0;
+  Vec3 push = push_of_all(options, spec, scene);
+  if (flat) push.z() = 0.0;
+  Vec3 wanted_mps = wish_mps;
+  if (!push.isZero(0.0)) wanted_mps = clipped(wish_mps + spec.speed_mps * push, spec.speed_mps);
+  return evading(options, spec, scene, wanted_mps, flat);
 }
 
 }  // namespace skein

@@ -45,6 +45,13 @@ struct Brakes {
   return speed_mps * brakes.step_s + braking_distance_m(brakes, speed_mps);
 }
 
+/// Not less than S(v), and simpler.
+[[nodiscard]] inline double stopping_bound_m(const Brakes& brakes, double speed_mps) {
+  const double a = brakes.acceleration_mps2;
+  if (a <= 0.0) return speed_mps * brakes.step_s;
+  return speed_mps * brakes.step_s + 0.5 * speed_mps * speed_mps / a + 0.125 * a * brakes.step_s * brakes.step_s;
+}
+
 /// T(v): seconds of the same.
 [[nodiscard]] inline double stopping_time_s(const Brakes& brakes, double speed_mps) {
   return brakes.step_s * (1.0 + braking_steps(brakes, speed_mps));

@@ -1,10 +1,9 @@
 #include "agent/controller/safety_filter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
+#include "agent/controller/fan.hpp"
 #include "agent/controller/separation.hpp"
 #include "planner/core/geometry/distance.hpp"
 
@@ -13,48 +12,6 @@ namespace {
 
 /// Above what a manoeuvre can be, for rounding.
 constexpr double kRounding_m = 1e-9;
-
-/// Of a direction e, sideways s and upwards u: forward, side and up parts, and the size within what one step can
-/// change.
-struct Turned {
-  double forward, side, up, size;
-};
-
-constexpr double kHalf = 0.5;
-constexpr double kRoot = 0.8660254037844386;  // sqrt(3) / 2
-
-/// Level turns by 30 to 180 degrees to both sides, whole and half.
-constexpr std::array<Turned, 24> kLevelFan{{
-    {1, 0, 0, 1},           {1, 0, 0, .5},           {kRoot, -kHalf, 0, 1},
-    {kRoot, kHalf, 0, 1},   {kRoot, -kHalf, 0, .5},  {kRoot, kHalf, 0, .5},
-    {kHalf, -kRoot, 0, 1},  {kHalf, kRoot, 0, 1},    {kHalf, -kRoot, 0, .5},
-    {kHalf, kRoot, 0, .5},  {0, -1, 0, 1},           {0, 1, 0, 1},
-    {0, -1, 0, .5},         {0, 1, 0, .5},           {-kHalf, -kRoot, 0, 1},
-    {-kHalf, kRoot, 0, 1},  {-kHalf, -kRoot, 0, .5}, {-kHalf, kRoot, 0, .5},
-    {-kRoot, -kHalf, 0, 1}, {-kRoot, kHalf, 0, 1},   {-kRoot, -kHalf, 0, .5},
-    {-kRoot, kHalf, 0, .5}, {-1, 0, 0, 1},           {-1, 0, 0, .5},
-}};
-
-/// Turns by 45 and 90 degrees up and down and between, whole.
-constexpr double kDiagonal = 0.7071067811865476;  // sqrt(1 / 2)
-constexpr std::array<Turned, 16> kSteepFan{{
-    {kRoot, 0, -kHalf, 1},
-    {kRoot, 0, kHalf, 1},
-    {kHalf, kHalf, kDiagonal, 1},
-    {kHalf, kHalf, -kDiagonal, 1},
-    {kHalf, -kHalf, kDiagonal, 1},
-    {kHalf, -kHalf, -kDiagonal, 1},
-    {kHalf, 0, kRoot, 1},
-    {kHalf, 0, -kRoot, 1},
-    {0, 0, 1, 1},
-    {0, 0, -1, 1},
-    {0, 0, 1, .5},
-    {0, 0, -1, .5},
-    {-kHalf, 0, kRoot, 1},
-    {-kHalf, 0, -kRoot, 1},
-    {-kRoot, 0, kHalf, 1},
-    {-kRoot, 0, -kHalf, 1},
-}};
 
 Vec3 level(const Vec3& v) {
   return {v.x(), v.y(), 0.0};
@@ -89,6 +46,7 @@ class SafetyFilter::Judge {
     double least_m;  ///< of normal . x
   };
 
+  [[nodiscard]] bool can_meet(const Neighbour& other, double reach_m) const;
   void add(const Neighbour& other, const Segment& tail);
   void add(const Track& track, const Manoeuvre& braking, double reach_m, double time_s);
   [[nodiscard]] static double distance_m(const Fixed& thing, const Manoeuvre& m);
@@ -99,20 +57,23 @@ class SafetyFilter::Judge {
   }
 
   const SafetyFilter& filter_;
+  const Scene& scene_;
   std::vector<Fixed> fixed_;
   std::vector<Moving> moving_;
   std::vector<Plane> planes_;
 };
 
-SafetyFilter::Judge::Judge(const SafetyFilter& filter, const Scene& scene) : filter_(filter) {
+SafetyFilter::Judge::Judge(const SafetyFilter& filter, const Scene& scene) : filter_(filter), scene_(scene) {
   const Brakes& brakes = filter.brakes_;
   const bool inert = brakes.acceleration_mps2 > 0.0;
   const Manoeuvre braking = manoeuvre(brakes, scene.position_m, scene.velocity_mps,
                                       after_step(brakes, filter.speed_mps_, scene.velocity_mps, Vec3::Zero()));
   const double gain_mps = inert ? brakes.acceleration_mps2 * brakes.step_s : filter.speed_mps_;
   const double fastest_mps = (inert ? scene.velocity_mps.norm() : 0.0) + gain_mps;
-  const double reach_m = stopping_distance_m(brakes, fastest_mps) + kRounding_m;
+  const double reach_m = stopping_bound_m(brakes, fastest_mps) + kRounding_m;
   const double time_s = stopping_time_s(brakes, fastest_mps) + brakes.step_s;
+  planes_.reserve(scene.neighbours.size());
+  moving_.reserve(scene.tracks.size());
   for (const ZoneShape& zone : scene.zones) {
     const double keep_m = filter.radius_m_ + filter.options_.margin_m;
     const double here_m = std::visit([&](const auto& shape) { return signed_distance(scene.position_m, shape); }, zone);
@@ -124,10 +85,18 @@ SafetyFilter::Judge::Judge(const SafetyFilter& filter, const Scene& scene) : fil
   for (const Track& track : scene.tracks) add(track, braking, reach_m, time_s);
   const Segment tail{scene.position_m, braking.end_m};
   for (const Neighbour& other : scene.neighbours) {
-    const double its_m = braking_distance_m({other.max_acceleration_mps2, brakes.step_s}, other.velocity_mps.norm());
-    const double near_m = reach_m + its_m + filter.radius_m_ + other.radius_m + filter.options_.margin_m + kRounding_m;
-    if ((other.position_m - scene.position_m).squaredNorm() <= 4.0 * near_m * near_m) add(other, tail);
+    if (can_meet(other, reach_m)) add(other, tail);
   }
+}
+
+/// Whether the two can come nearer than they may within one step and the braking after it.
+bool SafetyFilter::Judge::can_meet(const Neighbour& other, double reach_m) const {
+  const Brakes its{other.max_acceleration_mps2, filter_.brakes_.step_s};
+  if (its.acceleration_mps2 <= 0.0) return true;  // it may do anything
+  const double fastest_mps = other.velocity_mps.norm() + its.acceleration_mps2 * its.step_s;
+  const double near_m = reach_m + stopping_bound_m(its, fastest_mps) + filter_.radius_m_ + other.radius_m +
+                        filter_.options_.margin_m + kRounding_m;
+  return (other.position_m - scene_.position_m).squaredNorm() <= near_m * near_m;
 }
 
 void SafetyFilter::Judge::add(const Neighbour& other, const Segment& tail) {
@@ -278,8 +247,7 @@ Steering SafetyFilter::pass(const Scene& scene, const Vec3& wish_mps) const {
   Steering steering;
   steering.velocity_mps = wanted_mps;
   if (judge.safe(manoeuvre(brakes_, scene.position_m, scene.velocity_mps, v1_mps))) {
-    steering.overruled = wish_mps.norm() > cap_mps_ && cap_mps_ < speed_mps_;
-    if (!steering.overruled) steering.velocity_mps = wish_mps;
+    if (wish_mps.norm() <= cap_mps_ || cap_mps_ >= speed_mps_) steering.velocity_mps = wish_mps;
     return steering;
   }
   steering.overruled = true;

@@ -31,7 +31,7 @@ struct Scene {
   std::span<const ZoneShape> zones = {};       ///< that must not be entered: obstacles, no-fly zones, closed zones
 };
 
-/// What a controller commands, and who had the say.
+/// What a controller commands, and who had the say. That it flies no faster than its sensor carries is neither.
 struct Steering {
   Vec3 velocity_mps = Vec3::Zero();  ///< to have at the end of the step
   bool repelled = false;             ///< something changed what the plan wants

@@ -16,24 +16,28 @@ std::int64_t cell_of(double x, double cell_m) {
 
 }  // namespace
 
-UniformGrid::UniformGrid(std::span<const Vec3> points_m, double cell_m)
-    : points_m_(points_m.begin(), points_m.end()), cell_m_(cell_m) {
+UniformGrid::UniformGrid(std::span<const Vec3> points_m, double cell_m) : cell_m_(cell_m) {
   if (!(cell_m > 0.0) || !std::isfinite(cell_m)) throw std::invalid_argument("cell_m must be positive and finite");
   std::size_t slots = 1;
-  while (slots < points_m_.size()) slots *= 2;
+  while (slots < points_m.size()) slots *= 2;
   mask_ = slots - 1;
   begin_.assign(slots + 1, 0);
-  std::vector<std::size_t> slot(points_m_.size());
-  for (std::size_t n = 0; n < points_m_.size(); ++n) {
-    const Vec3& p = points_m_[n];
+  std::vector<std::size_t> slot(points_m.size());
+  for (std::size_t n = 0; n < points_m.size(); ++n) {
+    const Vec3& p = points_m[n];
     if (!p.allFinite()) throw std::invalid_argument("a point is not finite");
     slot[n] = slot_of(cell_of(p.x(), cell_m_), cell_of(p.y(), cell_m_), cell_of(p.z(), cell_m_));
     ++begin_[slot[n] + 1];
   }
   for (std::size_t s = 0; s < slots; ++s) begin_[s + 1] += begin_[s];
-  order_.resize(points_m_.size());
+  order_.resize(points_m.size());
+  sorted_m_.resize(points_m.size());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t n = 0; n < points_m_.size(); ++n) order_[next[slot[n]]++] = static_cast<std::uint32_t>(n);
+  for (std::size_t n = 0; n < points_m.size(); ++n) {
+    const std::uint32_t at = next[slot[n]]++;
+    order_[at] = static_cast<std::uint32_t>(n);
+    sorted_m_[at] = points_m[n];
+  }
 }
 
 std::size_t UniformGrid::slot_of(std::int64_t i, std::int64_t j, std::int64_t k) const {
@@ -49,9 +53,6 @@ void UniformGrid::within(const Vec3& place_m, double radius_m, std::vector<std::
   found.clear();
   if (!place_m.allFinite() || !std::isfinite(radius_m) || radius_m < 0.0) return;
   const double squared = radius_m * radius_m;
-  const auto take = [&](std::uint32_t n) {
-    if ((points_m_[n] - place_m).squaredNorm() <= squared) found.push_back(n);
-  };
   std::int64_t low[3];
   std::int64_t high[3];
   double cells = 1.0;
@@ -60,21 +61,25 @@ void UniformGrid::within(const Vec3& place_m, double radius_m, std::vector<std::
     high[d] = cell_of(place_m[d] + radius_m, cell_m_);
     cells *= static_cast<double>(high[d] - low[d] + 1);
   }
-  if (cells > static_cast<double>(points_m_.size())) {  // to look at every point is less
-    for (std::uint32_t n = 0; n < points_m_.size(); ++n) take(n);
+  if (cells > static_cast<double>(order_.size())) {  // to look at every point is less
+    for (std::size_t at = 0; at < order_.size(); ++at) {
+      if ((sorted_m_[at] - place_m).squaredNorm() <= squared) found.push_back(order_[at]);
+    }
+    std::sort(found.begin(), found.end());
     return;
   }
-  std::vector<std::size_t> slots;
   for (std::int64_t i = low[0]; i <= high[0]; ++i)
     for (std::int64_t j = low[1]; j <= high[1]; ++j)
       for (std::int64_t k = low[2]; k <= high[2]; ++k) {
         const std::size_t slot = slot_of(i, j, k);
-        if (begin_[slot] < begin_[slot + 1]) slots.push_back(slot);
+        for (std::uint32_t at = begin_[slot]; at < begin_[slot + 1]; ++at) {
+          const Vec3& p = sorted_m_[at];
+          if ((p - place_m).squaredNorm() > squared) continue;
+          const bool here =
+              cell_of(p.x(), cell_m_) == i && cell_of(p.y(), cell_m_) == j && cell_of(p.z(), cell_m_) == k;
+          if (here) found.push_back(order_[at]);  // another cell may share the slot
+        }
       }
-  std::sort(slots.begin(), slots.end());  // cells may share a slot: each is looked at once
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-  for (const std::size_t slot : slots)
-    for (std::uint32_t n = begin_[slot]; n < begin_[slot + 1]; ++n) take(order_[n]);
   std::sort(found.begin(), found.end());
 }
 

@@ -24,16 +24,16 @@ class UniformGrid {
   /// A place or radius that is not finite finds nothing.
   void within(const Vec3& place_m, double radius_m, std::vector<std::uint32_t>& found) const;
 
-  [[nodiscard]] std::size_t size() const { return points_m_.size(); }
+  [[nodiscard]] std::size_t size() const { return order_.size(); }
 
  private:
   [[nodiscard]] std::size_t slot_of(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
-  std::vector<Vec3> points_m_;
   double cell_m_;
   std::size_t mask_ = 0;
   std::vector<std::uint32_t> begin_;  ///< by slot, into order_; one more than slots
   std::vector<std::uint32_t> order_;  ///< indices of points, by slot
+  std::vector<Vec3> sorted_m_;        ///< the points themselves, in that order
 };
 
 }  // namespace skein
