@@ -143,7 +143,7 @@ TEST(Aloft, WhoMissedAndPlansAnewIsWaitedForAgain) {
 
 TEST(Aloft, ARunDoesNotEndWhileSomebodyWhoCameBackPlans) {
   Mission mission = replanning(2);
-  mission.vehicles[0].slot_offset_m.x() = -17.0;  // where it is after two steps
+  mission.vehicles[0].slot_offset_m.x() = 2.0;  // where it is after four steps
   Flight flight(mission);
   flight.round(AgentMode::Flying);
   flight.tick = decide(flight.run, flight.tick, AgentMode::Flying, std::vector<Loss>{{2, LossReason::ProcessEnded}});
