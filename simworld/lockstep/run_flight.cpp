@@ -30,11 +30,12 @@ bool Run::anybody_replans(const Barrier& answers, std::span<const Loss> lost) co
          });
 }
 
-/// A vehicle whose agent came back has no plan yet, but its agent takes part in making one.
+/// A vehicle whose agent came back, or that missed its slot, has no plan, but its agent takes part in making one.
 bool Run::awaits_plan(const Barrier& answers) const {
   return replans() && std::ranges::any_of(roster_, [&](const RosterEntry& entry) {
-           return world_.vehicle(entry.agent).status == VehicleStatus::Rejoined &&
-                  beacon_of(answers, entry.agent).mode == AgentMode::Replanning;
+           const VehicleStatus status = world_.vehicle(entry.agent).status;
+           const bool waits = status == VehicleStatus::Rejoined || status == VehicleStatus::Missed;
+           return waits && beacon_of(answers, entry.agent).mode == AgentMode::Replanning;
          });
 }
 

@@ -164,6 +164,24 @@ TEST(Aloft, ARunDoesNotEndWhileSomebodyWhoCameBackPlans) {
   EXPECT_FALSE(flight.run.finished());
 }
 
+TEST(Aloft, ARunDoesNotEndWhileSomebodyWhoMissedPlans) {
+  Mission mission = replanning(2);
+  mission.vehicles[0].slot_offset_m.x() = -17.0;  // where it is after two steps
+  Flight without(mission);
+  without.round(AgentMode::Flying, second_says(AgentMode::Arrived));
+  EXPECT_EQ(without.run.world().vehicle(2).status, VehicleStatus::Missed);
+  without.round(AgentMode::Flying, second_says(AgentMode::Arrived));
+  EXPECT_TRUE(without.run.finished());
+  Flight flight(mission);
+  flight.round(AgentMode::Flying, second_says(AgentMode::Arrived));
+  for (int i = 0; i < 20 && !flight.run.finished(); ++i) {
+    flight.round(AgentMode::Flying, second_says(AgentMode::Replanning));
+  }
+  EXPECT_EQ(flight.run.world().vehicle(1).status, VehicleStatus::Arrived);
+  EXPECT_EQ(flight.run.world().vehicle(2).status, VehicleStatus::Missed);
+  EXPECT_FALSE(flight.run.finished());
+}
+
 TEST(Aloft, OfARendezvousWithASensorAllAreHeardAndMoversSeen) {
   WorldOptions options = hovering();
   Mover mover;
