@@ -21,7 +21,8 @@ class Pacer {
   Pacer(const Pace& pace, double step_s) : pace_(pace), step_s_(step_s) {}
 
   /// A tick of a phase goes out at `now_s`, in seconds of any steady clock.
-  void opened(Phase phase, double now_s);
+  /// @param rounds_in_step of a flight step, which share its time
+  void opened(Phase phase, double now_s, std::uint32_t rounds_in_step = 1);
   /// All answers to it are here: whether the next one may go out.
   [[nodiscard]] bool may_open(double now_s);
   /// When it may, if it may not yet.

@@ -7,33 +7,10 @@
 #include <stdexcept>
 
 #include "planner/core/lockstep/names.hpp"
+#include "simworld/lockstep/answers.hpp"
 
 namespace skein {
 namespace {
-
-bool holds(std::span<const Loss> lost, AgentId agent) {
-  return std::ranges::find(lost, agent, &Loss::agent) != lost.end();
-}
-
-const Beacon& beacon_of(const Barrier& answers, AgentId agent) {
-  const Answer* answer = answers.answer_of(agent);
-  if (answer == nullptr || !answer->beacon) {
-    throw std::logic_error(fmt::format("round decided without the beacon of agent {}", agent));
-  }
-  return *answer->beacon;
-}
-
-/// The beacon of this very incarnation, if it answered.
-const Beacon* own_beacon(const Barrier& answers, const RosterEntry& entry) {
-  const Answer* answer = answers.answer_of(entry.agent);
-  const bool own = answer != nullptr && answer->beacon && answer->beacon->incarnation == entry.incarnation;
-  return own ? &*answer->beacon : nullptr;
-}
-
-NavStatus given_up(AgentMode mode) {
-  if (mode == AgentMode::Unreachable) return NavStatus::Unreachable;
-  return mode == AgentMode::Deadlock ? NavStatus::Deadlock : NavStatus::Flying;
-}
 
 /// A beacon of a failed agent may name another one: the peer of its separation, or the agent whose constraint fails.
 std::string planning_failure(const Barrier& answers, const Beacon& first) {
@@ -71,7 +48,7 @@ Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost, std
 }
 
 Moment Run::next(const Barrier& answers, std::span<const Loss> lost) const {
-  if (phase_ == Phase::Flying) return {Phase::Flying, step_ + 1};
+  if (step_ > 0) return next_aloft(answers, lost);
   const bool ready = std::ranges::all_of(roster_, [&](const RosterEntry& entry) {
     if (holds(lost, entry.agent)) return true;
     const AgentMode mode = beacon_of(answers, entry.agent).mode;
@@ -84,10 +61,15 @@ Tick Run::decide(const Barrier& answers, std::span<const Loss> lost, std::span<c
   if (phase_ != Phase::Planning && phase_ != Phase::Flying) throw std::logic_error("no round is open");
   const std::size_t known = changes_.size();
   drop(lost);
-  if (phase_ == Phase::Planning) {
+  if (step_ == 0 && phase_ == Phase::Planning) {
     decide_planning(answers);
-  } else if (phase_ == Phase::Flying) {
-    decide_flight(answers);
+  } else if (!finished()) {
+    note_aloft(answers);
+    if (phase_ == Phase::Flying) {
+      decide_flight(answers);
+    } else {
+      decide_aloft();
+    }
   }
   admit(back);
   fold_hash(answers);
@@ -124,6 +106,7 @@ void Run::admit(std::span<const RosterEntry> back) {
     changes_.push_back({0, 0, entry.agent, entry.incarnation, LossReason::Rejoined});
     roster_.insert(std::ranges::lower_bound(roster_, entry.agent, {}, &RosterEntry::agent), entry);
     world_.return_agent(entry.agent);
+    modes_.erase(entry.agent);
   }
 }
 
@@ -173,39 +156,6 @@ void Run::decide_planning(const Barrier& answers) {
   }
 }
 
-void Run::decide_flight(const Barrier& answers) {
-  std::vector<VehicleCommand> commands;
-  commands.reserve(roster_.size());
-  for (const RosterEntry& entry : roster_) {
-    const Beacon& beacon = beacon_of(answers, entry.agent);
-    commands.push_back({entry.agent, beacon.commanded_velocity_mps, beacon.mode == AgentMode::Arrived});
-    if (mission_.transit) world_.note_given_up(entry.agent, given_up(beacon.mode));
-  }
-  world_.advance(step_, commands);
-  if (radio_) log_radio(answers);
-  steps_flown_ = step_;
-  ended_steps_ = world_.all_ended() ? ended_steps_ + 1 : 0;
-  if (ended_steps_ > options_.extra_steps) {
-    finish("");
-  } else if (step_ >= options_.max_steps) {
-    finish(fmt::format("the flight did not end within world.max_steps = {} steps", options_.max_steps));
-  } else {
-    ++step_;
-  }
-}
-
-void Run::log_radio(const Barrier& answers) {
-  std::vector<OnAir> agents;
-  for (const RosterEntry& entry : roster_) {
-    const Answer* answer = answers.answer_of(entry.agent);
-    if (answer->beacon->mode == AgentMode::Rejoined) continue;
-    const bool sent = answer->beacon->obstacle_map && answer->obstacle_map;
-    agents.push_back({entry.agent, world_.vehicle(entry.agent).state.position_m,
-                      sent ? &*answer->obstacle_map : nullptr, answer->beacon->map_hash});
-  }
-  radio_->add(step_, round_, agents);
-}
-
 void Run::fold_hash(const Barrier& answers) {
   StateHash hash(hash_);
   hash.add(phase_).add(step_);
@@ -220,41 +170,6 @@ void Run::fold_hash(const Barrier& answers) {
 void Run::finish(std::string failure) {
   phase_ = Phase::Finished;
   failure_ = std::move(failure);
-}
-
-Sense Run::sense_of(const RosterEntry& entry) const {
-  const VehicleRecord& vehicle = world_.vehicle(entry.agent);
-  Sense sense;
-  sense.run = run_;
-  sense.agent = entry.agent;
-  sense.incarnation = entry.incarnation;
-  sense.round = round_;
-  sense.pose = pose_of(vehicle.state);
-  sense.velocity_mps = vehicle.state.velocity_mps;
-  const double range_m = mission_.controller.sensor_range_m;
-  if (mission_.transit || range_m > 0.0) sense.heard = heard_by(vehicle);
-  if (world_.truth() != nullptr) sense.sight = world_.look_of(entry.agent, step_);
-  if (range_m > 0.0) sense.tracks = world_.tracks_of(entry.agent, range_m);
-  sense.zones = world_.zone_states(step_);
-  sense.obeyed = world_.obeys(entry.agent);
-  return sense;
-}
-
-/// Whose agent is live says over the radio where it is; who has none is seen by the sensor. A rendezvous has a radio
-/// without limits.
-std::vector<HeardPeer> Run::heard_by(const VehicleRecord& vehicle) const {
-  std::vector<HeardPeer> heard;
-  const std::optional<TransitMission>& transit = mission_.transit;
-  const double seen_m = std::max(mission_.controller.sensor_range_m, transit ? transit->sensor.range_m : 0.0);
-  const double radio_m = transit ? transit->radio.range_m : std::numeric_limits<double>::infinity();
-  for (const VehicleRecord& other : world_.vehicles()) {
-    if (other.spec.id == vehicle.spec.id || other.status == VehicleStatus::Removed) continue;
-    const bool live = std::ranges::find(roster_, other.spec.id, &RosterEntry::agent) != roster_.end();
-    const double range_m = live ? std::max(radio_m, seen_m) : seen_m;
-    if ((other.state.position_m - vehicle.state.position_m).norm() > range_m) continue;
-    heard.push_back({other.spec.id, other.state.position_m, other.state.velocity_mps, other.landed});
-  }
-  return heard;
 }
 
 Tick Run::compose(const Barrier* answers) const {

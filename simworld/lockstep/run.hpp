@@ -1,31 +1,30 @@
 // The course of a run, decided round by round: phases, roster, motion, state hash, verdict. No I/O, no clock.
 //
-// A run plans in rounds of step 0, then flies one step a round. Deciding round k needs the answers of round k and who
-// is lost: tick k+1's roster decides what counts, so nothing of a lost agent does, even if it arrived.
+// A run plans in rounds of step 0, then flies one step a round. If an agent says in step k that it plans anew
+// (planner.replan), step k + 1 has planner.rounds_per_step rounds: planning ones, without senses, while time stands
+// still at the beginning of the step, and a last one that flies it. Deciding round k needs the answers of round k and
+// who is lost: tick k+1's roster decides what counts, so nothing of a lost agent does, even if it arrived.
 //   H(0) = mission hash;  H(k) = mix(H(k-1), world state, (id, incarnation, agent hash) of tick k+1's roster by id).
 // An agent that comes back in tick k+1 has not answered round k: its agent hash counts as 0. It takes part from the
 // next planning on, and until then neither holds up the planning nor is waited for in the air. The same answers give
 // the same ticks, whoever carries them: this is what makes runs repeat bit for bit.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "planner/core/lockstep/samples.hpp"
+#include "simworld/lockstep/answers.hpp"
 #include "simworld/lockstep/barrier.hpp"
+#include "simworld/lockstep/flight_log.hpp"
 #include "simworld/lockstep/radio_log.hpp"
 #include "simworld/scenario/scenario.hpp"
 #include "simworld/world/world.hpp"
 
 namespace skein {
-
-/// An agent that is gone, and why.
-struct Loss {
-  AgentId agent = 0;
-  LossReason reason = LossReason::None;
-};
 
 /// Where a run is going: the phase of a tick and its planning round or flight step.
 struct Moment {
@@ -88,6 +87,11 @@ class Run {
   /// Largest difference (m) of the lengths that the swarm set out to fly; nothing if planning did not end in a plan.
   [[nodiscard]] std::optional<double> plan_spread_m() const { return plan_spread_m_; }
   [[nodiscard]] const World& world() const { return world_; }
+  /// What agents said under way of safety and new plans.
+  [[nodiscard]] const FlightLog& flight_log() const { return flight_log_; }
+  /// Rounds of the open flight step; planning rounds of all flight steps.
+  [[nodiscard]] std::uint32_t rounds_in_step() const { return rounds_in_step_; }
+  [[nodiscard]] std::uint32_t replan_rounds() const { return replan_rounds_; }
   /// What the radio carried; nothing if the mission is no transit.
   [[nodiscard]] const RadioLog* radio() const { return radio_ ? &*radio_ : nullptr; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
@@ -100,6 +104,13 @@ class Run {
   void date_changes(std::size_t known);
   void decide_planning(const Barrier& answers);
   void decide_flight(const Barrier& answers);
+  void decide_aloft();
+  void note_aloft(const Barrier& answers);
+  [[nodiscard]] Moment next_aloft(const Barrier& answers, std::span<const Loss> lost) const;
+  [[nodiscard]] bool replans() const;
+  [[nodiscard]] std::uint32_t rounds_per_step() const;
+  [[nodiscard]] bool anybody_replans(const Barrier& answers, std::span<const Loss> lost = {}) const;
+  [[nodiscard]] bool awaits_plan(const Barrier& answers) const;
   void log_radio(const Barrier& answers);
   [[nodiscard]] std::vector<HeardPeer> heard_by(const VehicleRecord& vehicle) const;
   void note_plan(const Barrier& answers);
@@ -127,6 +138,11 @@ class Run {
   std::vector<PlanFigures> plan_;
   std::optional<double> plan_spread_m_;
   std::string failure_;
+  FlightLog flight_log_;
+  std::map<AgentId, AgentMode> modes_;  ///< as said last under way
+  std::uint32_t rounds_in_step_ = 1;
+  std::uint32_t planning_left_ = 0;  ///< planning rounds of the open step that are not decided yet
+  std::uint32_t replan_rounds_ = 0;
 };
 
 }  // namespace skein

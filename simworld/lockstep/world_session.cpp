@@ -252,7 +252,7 @@ void WorldSession::open(const Tick& tick, double now_s) {
   }
   away_s_ = 0.0;
   barrier_.open(tick_, now_s);
-  pacer_.opened(tick_.phase, now_s);
+  pacer_.opened(tick_.step > 0 ? Phase::Flying : tick_.phase, now_s, run_.rounds_in_step());
   for (const RosterEntry& entry : tick_.roster) {
     if (entry.sense) publish_sense(entry, now_s);
   }

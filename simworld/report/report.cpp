@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "planner/core/lockstep/names.hpp"
+#include "simworld/report/flight_report.hpp"
 
 namespace skein {
 namespace {
@@ -190,15 +191,13 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["collisions"] = world.count(ContactKind::Vehicles) + world.count(ContactKind::VehicleObstacle) +
                          world.count(ContactKind::NoFly) + world.count(ContactKind::Terrain) +
                          world.count(ContactKind::Hidden) + world.count(ContactKind::Mover);
-  report["rammed_at_rest"] = world.count(ContactKind::Rammed);
-  report["mover_contacts"] = world.count(ContactKind::Mover);
-  report["zone_entries"] = world.count(ContactKind::ZoneEntry);
   report["near_misses"] = world.count(ContactKind::NearMiss);
   report["min_separation_m"] = or_null(world.min_separation_m());
   report["min_clearance_m"] = or_null(world.min_clearance_m());
   report["separations"] = separations_of(world);
   report["vehicles"] = vehicles_of(run);
   if (run.radio() != nullptr) add_radio(report, *run.radio());
+  add_surprises(report, run);
   report["roster_changes"] = changes_of(run);
   report["discovery_s"] = span_s(times.created_s, times.started_s);
   report["plan_s"] = plan_s;

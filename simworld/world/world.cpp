@@ -46,7 +46,8 @@ World::World(const Mission& mission, OnAgentLoss on_agent_loss, std::vector<Obst
       hidden_(std::move(hidden)),
       transit_(mission.transit),
       seed_(mission.seed),
-      on_agent_loss_(on_agent_loss) {
+      on_agent_loss_(on_agent_loss),
+      replans_(!mission.transit && mission.planner.replan == 1) {
   if (mission.vehicles.empty()) throw std::invalid_argument("a world needs at least one vehicle");
   if (!(step_s_ > 0.0)) throw std::invalid_argument("step_s must be positive");
   for (const VehicleSpec& spec : mission.vehicles) {
@@ -104,7 +105,14 @@ void World::lose_agent(AgentId id) {
 
 void World::return_agent(AgentId id) {
   VehicleRecord& vehicle = vehicles_[index_of(id)];
-  if (vehicle.status == VehicleStatus::Adrift) vehicle.status = VehicleStatus::Rejoined;
+  const bool waits = replans_ && vehicle.status == VehicleStatus::Hovering;
+  if (vehicle.status == VehicleStatus::Adrift || waits) vehicle.status = VehicleStatus::Rejoined;
+}
+
+void World::take_up(AgentId id) {
+  VehicleRecord& vehicle = vehicles_[index_of(id)];
+  const bool again = vehicle.status == VehicleStatus::Rejoined || vehicle.status == VehicleStatus::Missed;
+  if (again) vehicle.status = VehicleStatus::Flying;
 }
 
 void World::note_given_up(AgentId id, NavStatus status) {

@@ -108,8 +108,11 @@ class World {
 
   /// The vehicle's agent is gone. Before the flight, and with OnAgentLoss::Remove, the vehicle is taken away.
   void lose_agent(AgentId id);
-  /// The vehicle's agent came back: it takes over a vehicle that is adrift. Others stay as they are.
+  /// The vehicle's agent came back: it takes over a vehicle that is adrift, and, where the swarm plans anew under way,
+  /// one that hovers. Others stay as they are.
   void return_agent(AgentId id);
+  /// The vehicle's agent flies a plan that was made under way: the vehicle is waited for (again).
+  void take_up(AgentId id);
 
   /// Of a transit: the vehicle's agent has given up (Unreachable or Deadlock), or takes that back (Flying). It still
   /// obeys commands and is still in the way, and it arrives if it comes to its goal after all. Without effect on a
@@ -179,6 +182,7 @@ class World {
   std::optional<TruthGrid> truth_;
   std::uint64_t seed_;
   OnAgentLoss on_agent_loss_;
+  bool replans_;
   bool airborne_ = false;
   std::vector<VehicleRecord> vehicles_;
   std::vector<Motion> motions_;

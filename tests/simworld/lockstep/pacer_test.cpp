@@ -27,6 +27,12 @@ TEST(Pacer, StepsAndRoundsTakeTheirTimeAndDoNotDrift) {
   EXPECT_EQ(pacer.late(), 0U);
 }
 
+TEST(Pacer, RoundsOfAFlightStepShareItsTime) {
+  Pacer pacer({1.0, 0.1}, 0.5);
+  pacer.opened(Phase::Flying, 10.0, 5);
+  EXPECT_DOUBLE_EQ(pacer.due_s(), 10.1);
+}
+
 TEST(Pacer, ALateAnswerCountsOnceAndStretches) {
   Pacer pacer({1.0, 0.1}, 0.5);
   pacer.opened(Phase::Flying, 10.0);
