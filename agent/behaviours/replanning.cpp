@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "planner/rendezvous/replan.hpp"
-
 namespace skein {
 namespace {
 
@@ -70,6 +68,16 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
   }
   const State before = state_;
   if (before == State::Joined) {
+    const std::vector<rendezvous::Joiner> all = joiners(peers);
+    avoided_ = rendezvous::united(all);
+    goal_m_ = shortest_m_;
+    for (const Representative& peer : peers) {
+      if (peer.revision && peer.revision->attempt == attempt_) goal_m_ = std::max(goal_m_, peer.own_length_m);
+    }
+    state_ = State::Aimed;
+    return ReplanEvent::Aim;
+  }
+  if (before == State::Aimed) {
     open(tick, peers);
   } else if (before == State::Planning) {
     plan(tick, peers);
@@ -93,31 +101,45 @@ void Replanning::call(const Tick& tick, Revision own) {
   publish_revision();
 }
 
-void Replanning::join(Revision own) {
+void Replanning::join(Revision own, double shortest_m) {
   if (state_ != State::Joined) throw std::logic_error("there is no attempt to join");
   own_ = std::move(own);
   own_.attempt = attempt_;
   own_.switch_step = switch_step_;
-  publish_revision();
+  shortest_m_ = shortest_m;
+  publish_revision(shortest_m);
 }
 
-void Replanning::publish_revision() {
+void Replanning::aim(const Pose& pose) {
+  if (state_ != State::Aimed) throw std::logic_error("there is nothing to aim for");
+  own_.pose = pose;
+  publish_revision(shortest_m_);
+}
+
+void Replanning::publish_revision(double shortest_m) {
   sample_.emplace();
   sample_->agent = self_;
+  sample_->own_length_m = shortest_m;
   sample_->revision = own_;
 }
 
-/// All that joined plan together.
-void Replanning::open(const Tick& tick, std::span<const Representative> peers) {
-  std::vector<rendezvous::Joiner> joiners{{self_, own_}};
+/// Who published a revision of the attempt in the round before, this agent included.
+std::vector<rendezvous::Joiner> Replanning::joiners(std::span<const Representative> peers) const {
+  std::vector<rendezvous::Joiner> all{{self_, own_}};
   for (const Representative& peer : peers) {
-    if (peer.revision && peer.revision->attempt == attempt_) joiners.push_back({peer.agent, *peer.revision});
+    if (peer.revision && peer.revision->attempt == attempt_) all.push_back({peer.agent, *peer.revision});
   }
-  std::ranges::sort(joiners, {}, &rendezvous::Joiner::agent);
-  const Mission mission = rendezvous::revised(mission_, joiners, attempt_);
+  std::ranges::sort(all, {}, &rendezvous::Joiner::agent);
+  return all;
+}
+
+/// All that aimed plan together.
+void Replanning::open(const Tick& tick, std::span<const Representative> peers) {
+  const std::vector<rendezvous::Joiner> all = joiners(peers);
+  const Mission mission = rendezvous::revised(mission_, all, attempt_);
   try {
     plan_.emplace(
-        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(joiners)});
+        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(all)});
   } catch (const std::invalid_argument&) {  // of all alike: one promised a pose that nobody can plan from
     return fail(tick);
   }
@@ -157,6 +179,7 @@ NewPlan Replanning::take() {
 void Replanning::add_to(StateHash& hash) const {
   hash.add(state_).add(attempt_).add(switch_step_).add(failures_).add(failed_step_);
   if (engaged()) skein::add_to(hash, own_);
+  hash.add(shortest_m_).add(goal_m_);
   if (plan_) plan_->planner.add_to(hash);
 }
 

@@ -4,7 +4,9 @@
 //   Idle      the agent wants a plan (flight rounds only)     call: a revision      Called
 //   any       a call of the round before is heard, its own    join: a revision      Joined
 //             included: its round is the attempt's number
-//   Joined    the next                                        generation 0          Planning: with all that joined
+//   Joined    the next: all places are known, and the         the revision, with    Aimed
+//             longest of the shortest ways from them          its final heading
+//   Aimed     the next                                        generation 0          Planning: with all that aimed
 //   Planning  the next                                        its representative    Planning; Ready; Idle: failed
 //   Ready     before the switch                               nothing               Ready
 //   Planning  the flight round of the switch step             nothing               Idle: failed, too late
@@ -24,6 +26,7 @@
 
 #include "planner/core/lockstep/samples.hpp"
 #include "planner/rendezvous/planner.hpp"
+#include "planner/rendezvous/replan.hpp"
 
 namespace skein {
 
@@ -31,6 +34,7 @@ namespace skein {
 enum class ReplanEvent : std::uint8_t {
   None,
   Join,    ///< an attempt begins: join() is due in this round
+  Aim,     ///< everybody's place is known: aim() is due in this round
   Switch,  ///< the new plan is to be flown from this step on: take() it
   Fail,    ///< the attempt is over without a plan
 };
@@ -51,7 +55,10 @@ class Replanning {
   /// Calls for a new plan in a flight round. @pre hear() said None or Fail, and nothing is under way
   void call(const Tick& tick, Revision own);
   /// Takes part. @param own attempt and switch_step are filled in. @pre hear() said Join in this round
-  void join(Revision own);
+  /// @param shortest_m of its ways to its slot from there, as far as it knows
+  void join(Revision own, double shortest_m);
+  /// Publishes its pose again: the place is the same, the heading chosen for goal_m(). @pre hear() said Aim
+  void aim(const Pose& pose);
   /// @pre hear() said Switch in this round
   [[nodiscard]] NewPlan take();
 
@@ -61,6 +68,12 @@ class Replanning {
   [[nodiscard]] bool engaged() const { return state_ != State::Idle; }
   /// The step in which all turn to the new plan. @pre engaged()
   [[nodiscard]] std::uint32_t switch_step() const { return switch_step_; }
+  /// The longest of the shortest ways that joined: what the common length will hardly be below. @pre hear() said Aim
+  [[nodiscard]] double goal_m() const { return goal_m_; }
+  /// What it promised. @pre engaged()
+  [[nodiscard]] const Revision& own() const { return own_; }
+  /// What all that joined know. @pre hear() said Aim in this round
+  [[nodiscard]] const std::vector<Track>& avoided() const { return avoided_; }
   /// Attempts in a row that ended without a plan.
   [[nodiscard]] std::uint32_t failures() const { return failures_; }
   /// Whether a call would make sense in a step: none is under way, the break after a failure is over, and not
@@ -72,15 +85,16 @@ class Replanning {
   void add_to(StateHash& hash) const;
 
  private:
-  enum class State : std::uint8_t { Idle, Called, Joined, Planning, Ready };
+  enum class State : std::uint8_t { Idle, Called, Joined, Aimed, Planning, Ready };
 
   [[nodiscard]] std::optional<std::uint32_t> called_switch(const Tick& tick,
                                                            std::span<const Representative> peers) const;
   [[nodiscard]] std::uint32_t steps_to_switch() const;
+  [[nodiscard]] std::vector<rendezvous::Joiner> joiners(std::span<const Representative> peers) const;
   void open(const Tick& tick, std::span<const Representative> peers);
   void plan(const Tick& tick, std::span<const Representative> peers);
   void fail(const Tick& tick);
-  void publish_revision();
+  void publish_revision(double shortest_m = 0.0);
 
   const Mission mission_;
   AgentId self_;
@@ -90,6 +104,9 @@ class Replanning {
   std::uint32_t failures_ = 0;
   std::uint32_t failed_step_ = 0;
   Revision own_;
+  double shortest_m_ = 0.0;
+  double goal_m_ = 0.0;
+  std::vector<Track> avoided_;
   std::optional<Representative> sample_;
   std::optional<NewPlan> plan_;
 };

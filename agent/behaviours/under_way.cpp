@@ -108,7 +108,11 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
   switch (replanning_.hear(input.tick, input.peers, takes_part())) {
     case ReplanEvent::Join:
       stop(input.tick);
-      replanning_.join(revision(input.tick, wanted_.value_or(SafetyReason::None)));
+      replanning_.join(revision(input.tick, wanted_.value_or(SafetyReason::None)),
+                       waiting_ ? waiting_->shortest_m : 0.0);
+      break;
+    case ReplanEvent::Aim:
+      aim();
       break;
     case ReplanEvent::Switch: {
       const NewPlan next = replanning_.take();
@@ -186,15 +190,23 @@ void UnderWay::wait_hovering() {
   const WaitingQuery query{mission_, self_, obstacles};
   const bool near = reference_m_ && (*reference_m_ - sense_.pose.position_m).norm() <= mission_.controller.deviation_m;
   if (waiting_ && near) {  // it waits, or is about to
-    const Pose place = place_off_path(query, waiting_->pose.position_m, Vec3::Zero()).pose;
-    if (place.position_m != waiting_->pose.position_m) waiting_->brake_mps2.reset();
-    waiting_->pose = place;
+    WaitingPlace place = place_off_path(query, waiting_->pose.position_m, Vec3::Zero());
+    if (place.pose.position_m == waiting_->pose.position_m) place.brake_mps2 = waiting_->brake_mps2;
+    waiting_ = place;
   } else if (plan_ && near) {
     waiting_ = place_on_path(query, plan_->path, plan_->reference);
     if (waiting_->brake_mps2) plan_->reference.brake(plan_->path.length_m(), *waiting_->brake_mps2);
   } else {
     waiting_ = place_off_path(query, sense_.pose.position_m, sense_.velocity_mps);
   }
+}
+
+/// A multirotor is free to face any way: it chooses for the length that the swarm will have.
+void UnderWay::aim() {
+  Pose pose = replanning_.own().pose;
+  const WaitingQuery query{mission_, self_, replanning_.avoided()};
+  if (hovers()) pose.heading_rad = heading_for(query, pose.position_m, replanning_.goal_m());
+  replanning_.aim(pose);
 }
 
 /// Without a path that is clear until the switch it circles, to the side that has more room.

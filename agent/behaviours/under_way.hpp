@@ -63,6 +63,7 @@ class UnderWay {
   [[nodiscard]] double to_come_m() const;
   [[nodiscard]] std::vector<Track> obstacles() const;
   void stop(const Tick& tick);
+  void aim();
   void wait_hovering();
   void wait_circling(const Tick& tick);
   [[nodiscard]] Pose pose_at_switch(const Tick& tick) const;

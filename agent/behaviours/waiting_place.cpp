@@ -34,18 +34,21 @@ struct Chooser {
     if (rendezvous::is_planar(query.mission)) place_m.z() = slot_pose(query.mission, own).position_m.z();
     return place_m;
   }
-  [[nodiscard]] std::optional<Pose> with_way_out(const Vec3& place_m) const {
+  [[nodiscard]] std::optional<WaitingPlace> with_way_out(const Vec3& place_m) const {
     const auto departure = rendezvous::best_departure(query.mission, query.self, place_m, query.obstacles);
     if (!departure) return std::nullopt;
-    return Pose{place_m, departure->heading_rad, 0.0};
+    return WaitingPlace{{place_m, departure->heading_rad, 0.0}, departure->length_m, std::nullopt};
   }
-  [[nodiscard]] Pose somehow(const Vec3& place_m) const {
+  [[nodiscard]] WaitingPlace somehow(const Vec3& place_m) const {
     const double reach_m = kReach_radii / own.max_curvature_per_m;
-    return {place_m, rendezvous::clearest_heading(query.mission, query.self, place_m, query.obstacles, reach_m), 0.0};
+    const double heading_rad =
+        rendezvous::clearest_heading(query.mission, query.self, place_m, query.obstacles, reach_m);
+    const double chord_m = (slot_pose(query.mission, own).position_m - place_m).norm();
+    return {{place_m, heading_rad, 0.0}, chord_m, std::nullopt};
   }
-  [[nodiscard]] Pose leaving(const Vec3& place_m) const {
-    const auto pose = with_way_out(place_m);
-    return pose ? *pose : somehow(place_m);
+  [[nodiscard]] WaitingPlace leaving(const Vec3& place_m) const {
+    const auto place = with_way_out(place_m);
+    return place ? *place : somehow(place_m);
   }
   /// The nearest clear place around, the one itself first.
   [[nodiscard]] Vec3 around(const Vec3& place_m) const {
@@ -71,7 +74,7 @@ std::optional<double> clear_until(const Chooser& chooser, const FlightPath& path
 }
 
 /// A clear place of the path at or behind an arc length, if possible one with a way out.
-Pose behind(const Chooser& chooser, const FlightPath& path, double from_m) {
+WaitingPlace behind(const Chooser& chooser, const FlightPath& path, double from_m) {
   const double apart_m = 1.0 / chooser.own.max_curvature_per_m;
   std::optional<Vec3> first;
   double next_m = from_m;
@@ -80,7 +83,7 @@ Pose behind(const Chooser& chooser, const FlightPath& path, double from_m) {
     const Vec3 place_m = chooser.levelled(path.position_at(s_m));
     if (s_m > next_m || !chooser.clear(place_m)) continue;
     if (!first) first = place_m;
-    if (const auto pose = chooser.with_way_out(place_m)) return *pose;
+    if (const auto place = chooser.with_way_out(place_m)) return *place;
     next_m = s_m - apart_m;
     ++tries;
   }
@@ -97,23 +100,31 @@ WaitingPlace place_on_path(const WaitingQuery& query, const FlightPath& path, co
   const double usual_mps2 = 0.5 * chooser.own.max_acceleration_mps2;
   const double usual_m = std::min(length_m, now_m + speed_mps * speed_mps / (2.0 * usual_mps2));
   const auto end_m = clear_until(chooser, path, now_m, usual_m);
-  if (!end_m) return {behind(chooser, path, now_m), std::nullopt};
+  if (!end_m) return behind(chooser, path, now_m);
   const double room_m = *end_m - now_m;
   const double hardest_mps2 = kHardest_part * chooser.own.max_acceleration_mps2;
   if (*end_m < usual_m && 2.0 * hardest_mps2 * room_m < speed_mps * speed_mps) {
-    return {behind(chooser, path, *end_m), std::nullopt};
+    return behind(chooser, path, *end_m);
   }
   const double brake_mps2 = *end_m < usual_m && speed_mps > 0.0 ? speed_mps * speed_mps / (2.0 * room_m) : usual_mps2;
   const Vec3 place_m = chooser.levelled(path.position_at(*end_m));
-  if (const auto pose = chooser.with_way_out(place_m)) return {*pose, brake_mps2};
-  return {behind(chooser, path, *end_m), std::nullopt};
+  if (auto place = chooser.with_way_out(place_m)) {
+    place->brake_mps2 = brake_mps2;
+    return *place;
+  }
+  return behind(chooser, path, *end_m);
 }
 
 WaitingPlace place_off_path(const WaitingQuery& query, const Vec3& position_m, const Vec3& velocity_mps) {
   const Chooser chooser(query);
   const double usual_mps2 = 0.5 * chooser.own.max_acceleration_mps2;
   const Vec3 way_m = velocity_mps * (velocity_mps.norm() / (2.0 * usual_mps2));
-  return {chooser.leaving(chooser.around(chooser.levelled(position_m + way_m))), std::nullopt};
+  return chooser.leaving(chooser.around(chooser.levelled(position_m + way_m)));
+}
+
+double heading_for(const WaitingQuery& query, const Vec3& place_m, double wanted_m) {
+  const auto departure = rendezvous::best_departure(query.mission, query.self, place_m, query.obstacles, wanted_m);
+  return departure ? departure->heading_rad : Chooser(query).somehow(place_m).pose.heading_rad;
 }
 
 }  // namespace skein

@@ -20,6 +20,7 @@ namespace skein {
 
 struct WaitingPlace {
   Pose pose;                         ///< at rest; level
+  double shortest_m = 0.0;           ///< of the ways from there to its slot, as far as it knows
   std::optional<double> brake_mps2;  ///< the reference comes to rest there with this deceleration
 };
 
@@ -28,8 +29,10 @@ struct WaitingQuery {
   const Mission& mission;
   AgentId self = 0;
   std::span<const Track> obstacles = {};  ///< fixed ones that it knows
-  std::uint32_t failures = 0;             ///< attempts that failed from where it waits: look farther back
 };
+
+/// The heading (rad) to leave its waiting place by on a way of at least a length (m).
+[[nodiscard]] double heading_for(const WaitingQuery& query, const Vec3& place_m, double wanted_m);
 
 /// On a path that a reference has come to.
 [[nodiscard]] WaitingPlace place_on_path(const WaitingQuery& query, const FlightPath& path,
