@@ -110,9 +110,10 @@ void Replanning::join(Revision own, double shortest_m) {
   publish_revision(shortest_m);
 }
 
-void Replanning::aim(const Pose& pose) {
+void Replanning::aim(const Pose& pose, std::uint32_t earliest_step) {
   if (state_ != State::Aimed) throw std::logic_error("there is nothing to aim for");
   own_.pose = pose;
+  own_.switch_step = std::max(switch_step_, earliest_step);
   publish_revision(shortest_m_);
 }
 
@@ -136,6 +137,7 @@ std::vector<rendezvous::Joiner> Replanning::joiners(std::span<const Representati
 /// All that aimed plan together.
 void Replanning::open(const Tick& tick, std::span<const Representative> peers) {
   const std::vector<rendezvous::Joiner> all = joiners(peers);
+  for (const rendezvous::Joiner& joiner : all) switch_step_ = std::max(switch_step_, joiner.revision.switch_step);
   const Mission mission = rendezvous::revised(mission_, all, attempt_);
   try {
     plan_.emplace(

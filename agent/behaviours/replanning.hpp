@@ -5,17 +5,17 @@
 //   any       a call of the round before is heard, its own    join: a revision      Joined
 //             included: its round is the attempt's number
 //   Joined    the next: all places are known, and the         the revision, with    Aimed
-//             longest of the shortest ways from them          its final heading
+//             longest of the shortest ways from them          its final pose
 //   Aimed     the next                                        generation 0          Planning: with all that aimed
 //   Planning  the next                                        its representative    Planning; Ready; Idle: failed
 //   Ready     before the switch                               nothing               Ready
 //   Planning  the flight round of the switch step             nothing               Idle: failed, too late
 //   Ready     the flight round of the switch step             nothing               Idle: all turn to the new plan
-// A call says when to switch; of several in one round the latest counts. A newer call takes the place of an attempt
-// that is under way: it comes from one who could not join that one. All of it follows from samples of one round that
-// all live agents see alike, so all join, plan, fail and switch in the same rounds, whoever is lost on the way; and
-// Ready says that all live agents that take part accepted the plan.
-// Who arrived, or has no vehicle, takes no part; its peers do not wait for it.
+// A call says when to switch, and so does who needs longer to its final place; of several in one round the latest
+// counts. A newer call takes the place of an attempt that is under way: it comes from one who could not join that one.
+// All of it follows from samples of one round that all live agents see alike, so all join, plan, fail and switch in the
+// same rounds, whoever is lost on the way; and Ready says that all live agents that take part accepted the plan. Who
+// arrived, or has no vehicle, takes no part; its peers do not wait for it.
 //
 // Source: papers/001, section 5. Departs from source: own; the paper only names the on-line use. Complexity: that of
 // the planner's rounds.
@@ -57,8 +57,9 @@ class Replanning {
   /// Takes part. @param own attempt and switch_step are filled in. @pre hear() said Join in this round
   /// @param shortest_m of its ways to its slot from there, as far as it knows
   void join(Revision own, double shortest_m);
-  /// Publishes its pose again: the place is the same, the heading chosen for goal_m(). @pre hear() said Aim
-  void aim(const Pose& pose);
+  /// Publishes its final pose, chosen for goal_m(), and the step in which it can be there at the earliest.
+  /// @pre hear() said Aim
+  void aim(const Pose& pose, std::uint32_t earliest_step);
   /// @pre hear() said Switch in this round
   [[nodiscard]] NewPlan take();
 

@@ -18,6 +18,10 @@ constexpr double kPromise = 0.98;
 /// Within which every live peer is heard: a rendezvous has no radio of limited range.
 constexpr double kPeerRange_m = 1e6;
 constexpr std::size_t kMostKnown = 64;
+/// Until a multirotor stands after it has braked.
+constexpr double kSettle_s = 1.5;
+/// By how much more of the way each failure lets all draw back, so that more lengths are in reach.
+constexpr double kLongerEach = 0.1;
 
 FlightPath path_of(const rendezvous::Planner& planner, double height_m) {
   return std::visit([&](const auto& in_space) { return FlightPath(in_space.path(), height_m); }, planner.in_space());
@@ -51,6 +55,7 @@ void UnderWay::set_plan(const rendezvous::Planner& planner, double speed_mps, st
   plan_.emplace(Plan{path_of(planner, height_m), MovingReference(spec, mission_.step_s, kShare),
                      PathFollower(spec, mission_.step_s)});
   late_ = LateWatch(mission_.step_s);
+  accepted_ = true;
   waiting_.reset();
   for (Known& known : known_) known.settled = false;
   for (const Track& track : avoided) note_known(track, true);
@@ -109,10 +114,10 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
     case ReplanEvent::Join:
       stop(input.tick);
       replanning_.join(revision(input.tick, wanted_.value_or(SafetyReason::None)),
-                       waiting_ ? waiting_->shortest_m : 0.0);
+                       waiting_ ? waiting_->to_come_m : 0.0);
       break;
     case ReplanEvent::Aim:
-      aim();
+      aim(input.tick);
       break;
     case ReplanEvent::Switch: {
       const NewPlan next = replanning_.take();
@@ -121,7 +126,7 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
       break;
     }
     case ReplanEvent::Fail:
-      plan_.reset();
+      accepted_ = false;
       break;
     case ReplanEvent::None:
       break;
@@ -145,7 +150,7 @@ double UnderWay::to_come_m() const {
 
 /// Why the plan does not hold, if it does not.
 std::optional<SafetyReason> UnderWay::wants() {
-  if (!plan_) return SafetyReason::NoPlan;
+  if (!accepted_) return SafetyReason::NoPlan;
   bool blocked = false;
   for (Known& known : known_) {
     if (known.settled) continue;
@@ -189,37 +194,45 @@ void UnderWay::wait_hovering() {
   const std::vector<Track> obstacles = this->obstacles();
   const WaitingQuery query{mission_, self_, obstacles};
   const bool near = reference_m_ && (*reference_m_ - sense_.pose.position_m).norm() <= mission_.controller.deviation_m;
-  if (waiting_ && near) {  // it waits, or is about to
-    WaitingPlace place = place_off_path(query, waiting_->pose.position_m, Vec3::Zero());
-    if (place.pose.position_m == waiting_->pose.position_m) place.brake_mps2 = waiting_->brake_mps2;
-    waiting_ = place;
-  } else if (plan_ && near) {
+  if (plan_ && near && (!waiting_ || waiting_->stop)) {
     waiting_ = place_on_path(query, plan_->path, plan_->reference);
-    if (waiting_->brake_mps2) plan_->reference.brake(plan_->path.length_m(), *waiting_->brake_mps2);
+    if (waiting_->stop) plan_->reference.brake(plan_->path.length_m(), waiting_->stop->brake_mps2);
+  } else if (waiting_ && near) {
+    waiting_ = place_off_path(query, waiting_->pose.position_m, Vec3::Zero());
   } else {
     waiting_ = place_off_path(query, sense_.pose.position_m, sense_.velocity_mps);
   }
+  draw_back();
 }
 
-/// A multirotor is free to face any way: it chooses for the length that the swarm will have.
-void UnderWay::aim() {
-  Pose pose = replanning_.own().pose;
+void UnderWay::draw_back() {
+  if (waiting_->stop) plan_->reference.draw_back(plan_->path.length_m(), waiting_->stop->at_m);
+}
+
+/// A multirotor is free to wait elsewhere and to face any way: it chooses for the length that the swarm will have.
+void UnderWay::aim(const Tick& tick) {
+  if (!hovers()) return replanning_.aim(replanning_.own().pose, 0);
   const WaitingQuery query{mission_, self_, replanning_.avoided()};
-  if (hovers()) pose.heading_rad = heading_for(query, pose.position_m, replanning_.goal_m());
-  replanning_.aim(pose);
+  const double length_m = replanning_.goal_m() * (1.0 + kLongerEach * replanning_.failures());
+  waiting_ = place_for_length(query, waiting_.value(), plan_ ? plan_->path : FlightPath(), length_m);
+  draw_back();
+  const double off_m = (waiting_->pose.position_m - sense_.pose.position_m).norm();
+  double needed_s = kSettle_s + 2.0 * std::sqrt(2.0 * off_m / spec_.max_acceleration_mps2) + off_m / spec_.speed_mps;
+  if (waiting_->stop) needed_s = kSettle_s + plan_->reference.rest_s() - plan_->reference.now_s();
+  replanning_.aim(waiting_->pose, tick.step + static_cast<std::uint32_t>(std::ceil(needed_s / mission_.step_s)));
 }
 
 /// Without a path that is clear until the switch it circles, to the side that has more room.
 void UnderWay::wait_circling(const Tick& tick) {
   const std::vector<Track> obstacles = this->obstacles();
-  if (plan_) {
+  if (accepted_) {
     const double until_m = (replanning_.switch_step() - tick.step + 1) * spec_.speed_mps * mission_.step_s;
     const double keep_out_m = spec_.radius_m + mission_.planner.clearance_margin_m;
     const bool clear = std::ranges::none_of(obstacles, [&](const Track& track) {
       return blocks(plan_->path, plan_->follower.next_m(), track, keep_out_m, plan_->follower.next_m() + until_m);
     });
     if (clear) return;
-    plan_.reset();
+    accepted_ = false;
   }
   const Vec2 along = direction_of_heading(sense_.pose.heading_rad);
   const Vec3 left_m = Vec3(-along.y(), along.x(), 0.0) / spec_.max_curvature_per_m;

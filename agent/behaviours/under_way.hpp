@@ -63,8 +63,10 @@ class UnderWay {
   [[nodiscard]] double to_come_m() const;
   [[nodiscard]] std::vector<Track> obstacles() const;
   void stop(const Tick& tick);
-  void aim();
+  void aim(const Tick& tick);
   void wait_hovering();
+  [[nodiscard]] bool on_path() const { return plan_ && (waiting_ ? waiting_->stop.has_value() : accepted_); }
+  void draw_back();
   void wait_circling(const Tick& tick);
   [[nodiscard]] Pose pose_at_switch(const Tick& tick) const;
   [[nodiscard]] Vec3 wish();
@@ -82,6 +84,7 @@ class UnderWay {
   SpeedWatch speed_;
   LateWatch late_;
   std::optional<Plan> plan_;
+  bool accepted_ = false;                ///< plan_ is flown; else it is only the way that it came
   std::optional<WaitingPlace> waiting_;  ///< where it stops for a new plan; nothing while it flies one
   MovingReference hold_;                 ///< of a multirotor that waits off its path
   double turn_rad_ = 0.0;                ///< of a step in which a constant-speed vehicle circles, to the left

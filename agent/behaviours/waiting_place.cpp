@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/behaviours/plan_check.hpp"
+#include "planner/core/geometry/distance.hpp"
 #include "planner/core/geometry/frames.hpp"
 #include "planner/core/math/det_math.hpp"
 #include "planner/rendezvous/cost/problem.hpp"
@@ -11,13 +13,15 @@
 namespace skein {
 namespace {
 
-constexpr double kReserve_m = 0.25;    ///< beyond the planner's distance
-constexpr double kSample_m = 0.5;      ///< of a path, and of rings around a place
-constexpr double kHardest_part = 0.8;  ///< of what the vehicle can brake
-constexpr double kReach_radii = 3.0;   ///< turning radii that should be clear ahead
+constexpr double kSlack = 1.02;          ///< of the swarm's length, what a path that can be varied should have
+constexpr double kStraightPart = 1.005;  ///< of the distance: a path that cannot
+constexpr double kReserve_m = 0.25;      ///< beyond the planner's distance
+constexpr double kSample_m = 0.5;        ///< of a path, and of rings around a place
+constexpr double kHardest_part = 0.8;    ///< of what the vehicle can brake
+constexpr double kReach_radii = 3.0;     ///< turning radii that should be clear ahead
 constexpr int kRings = 60;
 constexpr int kDirections = 16;
-constexpr int kTries = 4;  ///< places behind that are asked for a way to the slot
+constexpr int kTries = 6;  ///< places behind that are asked for a way to the slot
 
 struct Chooser {
   const WaitingQuery& query;
@@ -25,17 +29,24 @@ struct Chooser {
 
   explicit Chooser(const WaitingQuery& asked) : query(asked), own(vehicle_of(asked.mission, asked.self)) {}
 
+  [[nodiscard]] double keep_out_m() const { return own.radius_m + query.mission.planner.clearance_margin_m; }
+  [[nodiscard]] bool clear_of_obstacles(const Vec3& place_m) const {
+    return std::ranges::all_of(query.obstacles, [&](const Track& track) {
+      return signed_distance(place_m, rendezvous::column_of(track)) >= keep_out_m() + kReserve_m;
+    });
+  }
+  /// Paths pass zones as closely as may be, so that nothing is kept beyond that.
   [[nodiscard]] bool clear(const Vec3& place_m) const {
-    const double keep_out_m = own.radius_m + query.mission.planner.clearance_margin_m + kReserve_m;
-    return rendezvous::clearance_m(query.mission, query.obstacles, place_m) >= keep_out_m;
+    return rendezvous::clearance_m(query.mission, {}, place_m) >= keep_out_m() && clear_of_obstacles(place_m);
   }
   /// In a planar mission everybody stays at the height of its slot, to the bit.
   [[nodiscard]] Vec3 levelled(Vec3 place_m) const {
     if (rendezvous::is_planar(query.mission)) place_m.z() = slot_pose(query.mission, own).position_m.z();
     return place_m;
   }
-  [[nodiscard]] std::optional<WaitingPlace> with_way_out(const Vec3& place_m) const {
-    const auto departure = rendezvous::best_departure(query.mission, query.self, place_m, query.obstacles);
+  /// With the heading of a way of one segment, of a length (m) if there is such a one.
+  [[nodiscard]] std::optional<WaitingPlace> with_way_out(const Vec3& place_m, double wanted_m = 0.0) const {
+    const auto departure = rendezvous::best_departure(query.mission, query.self, place_m, query.obstacles, wanted_m);
     if (!departure) return std::nullopt;
     return WaitingPlace{{place_m, departure->heading_rad, 0.0}, departure->length_m, std::nullopt};
   }
@@ -49,6 +60,17 @@ struct Chooser {
   [[nodiscard]] WaitingPlace leaving(const Vec3& place_m) const {
     const auto place = with_way_out(place_m);
     return place ? *place : somehow(place_m);
+  }
+  /// Whether what is to come of a path is blocked.
+  [[nodiscard]] bool blocked(const FlightPath& path, double from_m) const {
+    return std::ranges::any_of(query.obstacles,
+                               [&](const Track& track) { return blocks(path, from_m, track, keep_out_m()); });
+  }
+  /// A place from which the path is flown on as it is.
+  [[nodiscard]] WaitingPlace along(const FlightPath& path, double at_m) const {
+    const Vec3 direction = path.direction_at(at_m);
+    return {
+        {levelled(path.position_at(at_m)), heading_of(direction.head<2>()), 0.0}, path.length_m() - at_m, std::nullopt};
   }
   /// The nearest clear place around, the one itself first.
   [[nodiscard]] Vec3 around(const Vec3& place_m) const {
@@ -67,27 +89,33 @@ struct Chooser {
 std::optional<double> clear_until(const Chooser& chooser, const FlightPath& path, double from_m, double to_m) {
   std::optional<double> last_m;
   for (double s_m = from_m;; s_m = std::min(to_m, s_m + kSample_m)) {
-    if (!chooser.clear(path.position_at(s_m))) return last_m;
+    if (!chooser.clear_of_obstacles(path.position_at(s_m))) return last_m;
     last_m = s_m;
     if (s_m >= to_m) return last_m;
   }
 }
 
-/// A clear place of the path at or behind an arc length, if possible one with a way out.
-WaitingPlace behind(const Chooser& chooser, const FlightPath& path, double from_m) {
-  const double apart_m = 1.0 / chooser.own.max_curvature_per_m;
-  std::optional<Vec3> first;
+/// A clear place of a blocked path at or behind an arc length, if possible one with a way out of at least a length (m).
+WaitingPlace behind(const Chooser& chooser, const FlightPath& path, double from_m, double wanted_m) {
+  const double apart_m = 0.5 / chooser.own.max_curvature_per_m;
+  std::optional<WaitingPlace> best;
   double next_m = from_m;
   int tries = 0;
   for (double s_m = from_m; s_m >= 0.0 && tries < kTries; s_m -= kSample_m) {
+    if (s_m > next_m) continue;
     const Vec3 place_m = chooser.levelled(path.position_at(s_m));
-    if (s_m > next_m || !chooser.clear(place_m)) continue;
-    if (!first) first = place_m;
-    if (const auto place = chooser.with_way_out(place_m)) return *place;
+    if (!chooser.clear(place_m)) continue;
+    WaitingPlace place = chooser.somehow(place_m);
+    const auto way = chooser.with_way_out(place_m, wanted_m);
+    if (way) place = *way;
+    place.stop = WaitingPlace::Stop{0.0, s_m, true};
+    if (way && way->to_come_m >= wanted_m) return place;
+    if (!best || (way && way->to_come_m > best->to_come_m)) best = place;
     next_m = s_m - apart_m;
     ++tries;
   }
-  return chooser.somehow(first ? *first : chooser.around(chooser.levelled(path.position_at(from_m))));
+  if (best) return *best;
+  return chooser.somehow(chooser.around(chooser.levelled(path.position_at(from_m))));
 }
 
 }  // namespace
@@ -96,23 +124,24 @@ WaitingPlace place_on_path(const WaitingQuery& query, const FlightPath& path, co
   const Chooser chooser(query);
   const double length_m = path.length_m();
   const double now_m = reference.travelled_m(length_m, reference.now_s());
-  const double speed_mps = reference.speed_mps(length_m, reference.now_s());
+  const double speed_mps = reference.brakes() ? 0.0 : reference.speed_mps(length_m, reference.now_s());
   const double usual_mps2 = 0.5 * chooser.own.max_acceleration_mps2;
-  const double usual_m = std::min(length_m, now_m + speed_mps * speed_mps / (2.0 * usual_mps2));
-  const auto end_m = clear_until(chooser, path, now_m, usual_m);
-  if (!end_m) return behind(chooser, path, now_m);
-  const double room_m = *end_m - now_m;
+  const double usual_m =
+      reference.brakes() ? reference.rest_m() : std::min(length_m, now_m + speed_mps * speed_mps / (2.0 * usual_mps2));
+  const bool ahead = usual_m > now_m && chooser.blocked(path, now_m);
+  const double end_m = ahead ? clear_until(chooser, path, now_m, usual_m).value_or(now_m) : usual_m;
   const double hardest_mps2 = kHardest_part * chooser.own.max_acceleration_mps2;
-  if (*end_m < usual_m && 2.0 * hardest_mps2 * room_m < speed_mps * speed_mps) {
-    return behind(chooser, path, *end_m);
+  const double room_m = std::max(end_m - now_m, 1e-3);
+  const double brake_mps2 =
+      end_m < usual_m ? std::clamp(speed_mps * speed_mps / (2.0 * room_m), usual_mps2, hardest_mps2) : usual_mps2;
+  if (chooser.blocked(path, end_m)) {
+    WaitingPlace place = behind(chooser, path, end_m, 0.0);
+    if (place.stop) place.stop->brake_mps2 = brake_mps2;
+    return place;
   }
-  const double brake_mps2 = *end_m < usual_m && speed_mps > 0.0 ? speed_mps * speed_mps / (2.0 * room_m) : usual_mps2;
-  const Vec3 place_m = chooser.levelled(path.position_at(*end_m));
-  if (auto place = chooser.with_way_out(place_m)) {
-    place->brake_mps2 = brake_mps2;
-    return *place;
-  }
-  return behind(chooser, path, *end_m);
+  WaitingPlace place = chooser.along(path, end_m);
+  place.stop = WaitingPlace::Stop{brake_mps2, end_m, false};
+  return place;
 }
 
 WaitingPlace place_off_path(const WaitingQuery& query, const Vec3& position_m, const Vec3& velocity_mps) {
@@ -122,9 +151,24 @@ WaitingPlace place_off_path(const WaitingQuery& query, const Vec3& position_m, c
   return chooser.leaving(chooser.around(chooser.levelled(position_m + way_m)));
 }
 
-double heading_for(const WaitingQuery& query, const Vec3& place_m, double wanted_m) {
-  const auto departure = rendezvous::best_departure(query.mission, query.self, place_m, query.obstacles, wanted_m);
-  return departure ? departure->heading_rad : Chooser(query).somehow(place_m).pose.heading_rad;
+WaitingPlace place_for_length(const WaitingQuery& query, const WaitingPlace& first, const FlightPath& path,
+                              double length_m) {
+  const Chooser chooser(query);
+  if (!first.stop) {
+    const auto way = chooser.with_way_out(first.pose.position_m, length_m);
+    return way ? *way : first;
+  }
+  const WaitingPlace::Stop& stop = *first.stop;
+  if (stop.blocked || chooser.blocked(path, stop.at_m)) {  // also by what only peers know
+    WaitingPlace place = behind(chooser, path, stop.at_m, length_m);
+    if (place.stop) place.stop->brake_mps2 = stop.brake_mps2;
+    return place;
+  }
+  const double chord_m = (path.position_at(path.length_m()) - first.pose.position_m).norm();
+  const double wanted_m = first.to_come_m > kStraightPart * chord_m ? kSlack * length_m : length_m;
+  WaitingPlace place = chooser.along(path, std::clamp(path.length_m() - wanted_m, 0.0, stop.at_m));
+  place.stop = WaitingPlace::Stop{stop.brake_mps2, path.length_m() - place.to_come_m, false};
+  return place;
 }
 
 }  // namespace skein
