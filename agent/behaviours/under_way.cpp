@@ -133,7 +133,10 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
   }
   if (flying) {
     wanted_ = takes_part() ? wants() : std::nullopt;
-    if (wanted_ && replanning_.may_call(input.tick.step)) replanning_.call(input.tick, revision(input.tick, *wanted_));
+    if (wanted_ && replanning_.may_call(input.tick.step)) {
+      replanning_.call(input.tick, revision(input.tick, *wanted_));
+      if (*wanted_ == SafetyReason::Blocked && hovers()) brake_at_once();
+    }
     fly(input.tick, out);
   }
   out.mode = replanning_.engaged() ? AgentMode::Replanning
@@ -202,6 +205,16 @@ void UnderWay::wait_hovering() {
   } else {
     waiting_ = place_off_path(query, sense_.pose.position_m, sense_.velocity_mps);
   }
+  draw_back();
+}
+
+/// Peers begin to brake one step later; who would come too close until then does not wait for them.
+void UnderWay::brake_at_once() {
+  const std::vector<Track> obstacles = this->obstacles();
+  const WaitingPlace place = place_on_path({mission_, self_, obstacles}, plan_->path, plan_->reference);
+  if (!place.stop || place.stop->brake_mps2 <= 0.5 * spec_.max_acceleration_mps2) return;
+  waiting_ = place;
+  plan_->reference.brake(plan_->path.length_m(), place.stop->brake_mps2);
   draw_back();
 }
 

@@ -66,6 +66,7 @@ class UnderWay {
   void aim(const Tick& tick);
   void wait_hovering();
   [[nodiscard]] bool on_path() const { return plan_ && (waiting_ ? waiting_->stop.has_value() : accepted_); }
+  void brake_at_once();
   void draw_back();
   void wait_circling(const Tick& tick);
   [[nodiscard]] Pose pose_at_switch(const Tick& tick) const;
