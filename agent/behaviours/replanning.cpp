@@ -68,8 +68,8 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
   }
   const State before = state_;
   if (before == State::Joined) {
-    const std::vector<rendezvous::Joiner> all = joiners(peers);
-    avoided_ = rendezvous::united(all);
+    joined_ = joiners(peers);
+    avoided_ = rendezvous::united(joined_);
     goal_m_ = shortest_m_;
     for (const Representative& peer : peers) {
       if (peer.revision && peer.revision->attempt == attempt_) goal_m_ = std::max(goal_m_, peer.own_length_m);

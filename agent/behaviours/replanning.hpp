@@ -75,6 +75,8 @@ class Replanning {
   [[nodiscard]] const Revision& own() const { return own_; }
   /// What all that joined know. @pre hear() said Aim in this round
   [[nodiscard]] const std::vector<Track>& avoided() const { return avoided_; }
+  /// Who joined and where they wait, this agent among them. @pre hear() said Aim in this round
+  [[nodiscard]] const std::vector<rendezvous::Joiner>& joined() const { return joined_; }
   /// Attempts in a row that ended without a plan.
   [[nodiscard]] std::uint32_t failures() const { return failures_; }
   /// Whether a call would make sense in a step: none is under way, the break after a failure is over, and not
@@ -108,6 +110,7 @@ class Replanning {
   double shortest_m_ = 0.0;
   double goal_m_ = 0.0;
   std::vector<Track> avoided_;
+  std::vector<rendezvous::Joiner> joined_;
   std::optional<Representative> sample_;
   std::optional<NewPlan> plan_;
 };

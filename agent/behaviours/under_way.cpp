@@ -225,7 +225,13 @@ void UnderWay::draw_back() {
 /// A multirotor is free to wait elsewhere and to face any way: it chooses for the length that the swarm will have.
 void UnderWay::aim(const Tick& tick) {
   if (!hovers()) return replanning_.aim(replanning_.own().pose, 0);
-  const WaitingQuery query{mission_, self_, replanning_.avoided()};
+  std::vector<PeerPlace> peers;
+  for (const rendezvous::Joiner& peer : replanning_.joined()) {
+    if (peer.agent == self_) continue;
+    const double apart_m = spec_.safety_radius_m + vehicle_of(mission_, peer.agent).safety_radius_m;
+    peers.push_back({peer.revision.pose.position_m, apart_m});
+  }
+  const WaitingQuery query{mission_, self_, replanning_.avoided(), peers};
   const double length_m = replanning_.goal_m() * (1.0 + kLongerEach * replanning_.failures());
   waiting_ = place_for_length(query, waiting_.value(), plan_ ? plan_->path : FlightPath(), length_m);
   draw_back();

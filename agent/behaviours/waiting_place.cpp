@@ -17,7 +17,7 @@ constexpr double kSlack = 1.02;          ///< of the swarm's length, what a path
 constexpr double kStraightPart = 1.005;  ///< of the distance: a path that cannot
 constexpr double kReserve_m = 0.25;      ///< beyond the planner's distance
 constexpr double kSample_m = 0.5;        ///< of a path, and of rings around a place
-constexpr double kHardest_part = 0.95;  ///< of what the vehicle can brake
+constexpr double kHardest_part = 0.95;   ///< of what the vehicle can brake
 constexpr double kReach_radii = 3.0;     ///< turning radii that should be clear ahead
 constexpr int kRings = 60;
 constexpr int kDirections = 16;
@@ -95,13 +95,30 @@ std::optional<double> clear_until(const Chooser& chooser, const FlightPath& path
   }
 }
 
+/// How far back, at most to an arc length (m), a path leads without coming near the place of a peer.
+double free_back_to(const Chooser& chooser, const FlightPath& path, double from_m, double to_m) {
+  double last_m = from_m;
+  for (double s_m = from_m; s_m > to_m;) {
+    s_m = std::max(to_m, s_m - kSample_m);
+    const Vec3 here_m = path.position_at(s_m);
+    const bool near = std::ranges::any_of(chooser.query.peers, [&](const PeerPlace& peer) {
+      const double off_m = (here_m - peer.place_m).norm();
+      return off_m < peer.apart_m + kReserve_m && off_m < (path.position_at(last_m) - peer.place_m).norm();
+    });
+    if (near) return last_m;
+    last_m = s_m;
+  }
+  return last_m;
+}
+
 /// A clear place of a blocked path at or behind an arc length, if possible one with a way out of at least a length (m).
 WaitingPlace behind(const Chooser& chooser, const FlightPath& path, double from_m, double wanted_m) {
   const double apart_m = 0.5 / chooser.own.max_curvature_per_m;
   std::optional<WaitingPlace> best;
   double next_m = from_m;
   int tries = 0;
-  for (double s_m = from_m; s_m >= 0.0 && tries < kTries; s_m -= kSample_m) {
+  const double least_m = free_back_to(chooser, path, from_m, 0.0);
+  for (double s_m = from_m; s_m >= least_m && tries < kTries; s_m -= kSample_m) {
     if (s_m > next_m) continue;
     const Vec3 place_m = chooser.levelled(path.position_at(s_m));
     if (!chooser.clear(place_m)) continue;
@@ -166,8 +183,13 @@ WaitingPlace place_for_length(const WaitingQuery& query, const WaitingPlace& fir
   }
   const double chord_m = (path.position_at(path.length_m()) - first.pose.position_m).norm();
   const double wanted_m = first.to_come_m > kStraightPart * chord_m ? kSlack * length_m : length_m;
-  WaitingPlace place = chooser.along(path, std::clamp(path.length_m() - wanted_m, 0.0, stop.at_m));
-  place.stop = WaitingPlace::Stop{stop.brake_mps2, path.length_m() - place.to_come_m, false};
+  const double back_m = std::clamp(path.length_m() - wanted_m, 0.0, stop.at_m);
+  WaitingPlace place = chooser.along(path, free_back_to(chooser, path, stop.at_m, back_m));
+  const double at_m = path.length_m() - place.to_come_m;
+  if (at_m > back_m + kSample_m) {  // a peer is in the way: a longer way may begin with another heading
+    if (const auto way = chooser.with_way_out(place.pose.position_m, length_m)) place = *way;
+  }
+  place.stop = WaitingPlace::Stop{stop.brake_mps2, at_m, false};
   return place;
 }
 

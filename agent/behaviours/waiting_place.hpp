@@ -33,11 +33,18 @@ struct WaitingPlace {
   std::optional<Stop> stop;  ///< nothing off the path
 };
 
+/// Where a peer waits.
+struct PeerPlace {
+  Vec3 place_m = Vec3::Zero();
+  double apart_m = 0.0;  ///< to be kept from it
+};
+
 /// What the choice looks at.
 struct WaitingQuery {
   const Mission& mission;
   AgentId self = 0;
   std::span<const Track> obstacles = {};  ///< fixed ones that it knows
+  std::span<const PeerPlace> peers = {};  ///< as far as they are known: nobody draws back into one
 };
 
 /// On a path that a reference has come to, or rests on already.
