@@ -67,18 +67,9 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
     return ReplanEvent::Join;
   }
   const State before = state_;
-  if (before == State::Joined) {
-    joined_ = joiners(peers);
-    avoided_ = rendezvous::united(joined_);
-    goal_m_ = shortest_m_;
-    for (const Representative& peer : peers) {
-      if (peer.revision && peer.revision->attempt == attempt_) goal_m_ = std::max(goal_m_, peer.own_length_m);
-    }
-    state_ = State::Aimed;
-    return ReplanEvent::Aim;
-  }
-  if (before == State::Aimed) {
-    open(tick, peers);
+  if (before == State::Joined || before == State::Aiming) {
+    const ReplanEvent event = aim_in_turn(tick, peers);
+    if (event == ReplanEvent::Aim) return event;
   } else if (before == State::Planning) {
     plan(tick, peers);
   }
@@ -90,6 +81,29 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
   }
   if (due && engaged()) fail(tick);
   return before != State::Idle && state_ == State::Idle ? ReplanEvent::Fail : ReplanEvent::None;
+}
+
+/// Each chooses its final place knowing those of lower ids, and where the others wait so far.
+ReplanEvent Replanning::aim_in_turn(const Tick& tick, std::span<const Representative> peers) {
+  joined_ = joiners(peers);
+  goal_m_ = shortest_m_;
+  for (const Representative& peer : peers) {
+    if (peer.revision && peer.revision->attempt == attempt_) goal_m_ = std::max(goal_m_, peer.own_length_m);
+  }
+  if (state_ == State::Joined) {
+    state_ = State::Aiming;
+    first_turn_ = tick.round;
+    first_ = joined_;
+    avoided_ = rendezvous::united(joined_);
+  }
+  const std::uint32_t turn = tick.round - first_turn_;
+  if (turn >= first_.size()) {
+    open(tick);
+    return ReplanEvent::None;
+  }
+  if (first_[turn].agent == self_) return ReplanEvent::Aim;
+  publish_revision();
+  return ReplanEvent::None;
 }
 
 void Replanning::call(const Tick& tick, Revision own) {
@@ -107,20 +121,21 @@ void Replanning::join(Revision own, double shortest_m) {
   own_.attempt = attempt_;
   own_.switch_step = switch_step_;
   shortest_m_ = shortest_m;
-  publish_revision(shortest_m);
+  publish_revision();
 }
 
-void Replanning::aim(const Pose& pose, std::uint32_t earliest_step) {
-  if (state_ != State::Aimed) throw std::logic_error("there is nothing to aim for");
+void Replanning::aim(const Pose& pose, double shortest_m, std::uint32_t earliest_step) {
+  if (state_ != State::Aiming) throw std::logic_error("there is nothing to aim for");
   own_.pose = pose;
   own_.switch_step = std::max(switch_step_, earliest_step);
-  publish_revision(shortest_m_);
+  shortest_m_ = shortest_m;
+  publish_revision();
 }
 
-void Replanning::publish_revision(double shortest_m) {
+void Replanning::publish_revision() {
   sample_.emplace();
   sample_->agent = self_;
-  sample_->own_length_m = shortest_m;
+  sample_->own_length_m = shortest_m_;
   sample_->revision = own_;
 }
 
@@ -135,8 +150,8 @@ std::vector<rendezvous::Joiner> Replanning::joiners(std::span<const Representati
 }
 
 /// All that aimed plan together.
-void Replanning::open(const Tick& tick, std::span<const Representative> peers) {
-  const std::vector<rendezvous::Joiner> all = joiners(peers);
+void Replanning::open(const Tick& tick) {
+  const std::vector<rendezvous::Joiner>& all = joined_;
   for (const rendezvous::Joiner& joiner : all) switch_step_ = std::max(switch_step_, joiner.revision.switch_step);
   const Mission mission = rendezvous::revised(mission_, all, attempt_);
   try {

@@ -4,9 +4,11 @@
 //   Idle      the agent wants a plan (flight rounds only)     call: a revision      Called
 //   any       a call of the round before is heard, its own    join: a revision      Joined
 //             included: its round is the attempt's number
-//   Joined    the next: all places are known, and the         the revision, with    Aimed
-//             longest of the shortest ways from them          its final pose
-//   Aimed     the next                                        generation 0          Planning: with all that aimed
+//   Joined    the next: who joined is known, and the         its revision          Aiming
+//             longest of the shortest ways to come
+//   Aiming    one after the other, by ascending id            its revision, from    Aiming
+//                                                             its turn on final
+//   Aiming    all had their turn                              generation 0          Planning: with all that still aim
 //   Planning  the next                                        its representative    Planning; Ready; Idle: failed
 //   Ready     before the switch                               nothing               Ready
 //   Planning  the flight round of the switch step             nothing               Idle: failed, too late
@@ -34,7 +36,7 @@ namespace skein {
 enum class ReplanEvent : std::uint8_t {
   None,
   Join,    ///< an attempt begins: join() is due in this round
-  Aim,     ///< everybody's place is known: aim() is due in this round
+  Aim,     ///< its turn to choose where it will be, knowing what those before chose: aim() is due in this round
   Switch,  ///< the new plan is to be flown from this step on: take() it
   Fail,    ///< the attempt is over without a plan
 };
@@ -57,9 +59,9 @@ class Replanning {
   /// Takes part. @param own attempt and switch_step are filled in. @pre hear() said Join in this round
   /// @param shortest_m of its ways to its slot from there, as far as it knows
   void join(Revision own, double shortest_m);
-  /// Publishes its final pose, chosen for goal_m(), and the step in which it can be there at the earliest.
-  /// @pre hear() said Aim
-  void aim(const Pose& pose, std::uint32_t earliest_step);
+  /// Publishes its final pose, chosen for goal_m(), the length of its way from there, and the step in which it can be
+  /// there at the earliest. @pre hear() said Aim
+  void aim(const Pose& pose, double shortest_m, std::uint32_t earliest_step);
   /// @pre hear() said Switch in this round
   [[nodiscard]] NewPlan take();
 
@@ -75,8 +77,10 @@ class Replanning {
   [[nodiscard]] const Revision& own() const { return own_; }
   /// What all that joined know. @pre hear() said Aim in this round
   [[nodiscard]] const std::vector<Track>& avoided() const { return avoided_; }
-  /// Who joined and where they wait, this agent among them. @pre hear() said Aim in this round
+  /// Who joined and where they will be, as they said last, this agent among them. @pre hear() said Aim in this round
   [[nodiscard]] const std::vector<rendezvous::Joiner>& joined() const { return joined_; }
+  /// The same, as they said first.
+  [[nodiscard]] const std::vector<rendezvous::Joiner>& joined_first() const { return first_; }
   /// Attempts in a row that ended without a plan.
   [[nodiscard]] std::uint32_t failures() const { return failures_; }
   /// Whether a call would make sense in a step: none is under way, the break after a failure is over, and not
@@ -88,16 +92,17 @@ class Replanning {
   void add_to(StateHash& hash) const;
 
  private:
-  enum class State : std::uint8_t { Idle, Called, Joined, Aimed, Planning, Ready };
+  enum class State : std::uint8_t { Idle, Called, Joined, Aiming, Planning, Ready };
 
   [[nodiscard]] std::optional<std::uint32_t> called_switch(const Tick& tick,
                                                            std::span<const Representative> peers) const;
   [[nodiscard]] std::uint32_t steps_to_switch() const;
   [[nodiscard]] std::vector<rendezvous::Joiner> joiners(std::span<const Representative> peers) const;
-  void open(const Tick& tick, std::span<const Representative> peers);
+  [[nodiscard]] ReplanEvent aim_in_turn(const Tick& tick, std::span<const Representative> peers);
+  void open(const Tick& tick);
   void plan(const Tick& tick, std::span<const Representative> peers);
   void fail(const Tick& tick);
-  void publish_revision(double shortest_m = 0.0);
+  void publish_revision();
 
   const Mission mission_;
   AgentId self_;
@@ -111,6 +116,8 @@ class Replanning {
   double goal_m_ = 0.0;
   std::vector<Track> avoided_;
   std::vector<rendezvous::Joiner> joined_;
+  std::vector<rendezvous::Joiner> first_;
+  std::uint32_t first_turn_ = 0;  ///< the round of the first of them
   std::optional<Representative> sample_;
   std::optional<NewPlan> plan_;
 };

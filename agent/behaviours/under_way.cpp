@@ -21,7 +21,7 @@ constexpr std::size_t kMostKnown = 64;
 /// Until a multirotor stands after it has braked.
 constexpr double kSettle_s = 1.5;
 /// By how much more of the way each failure lets all draw back, so that more lengths are in reach.
-constexpr double kLongerEach = 0.1;
+constexpr double kLongerEach = 0.05;
 
 FlightPath path_of(const rendezvous::Planner& planner, double height_m) {
   return std::visit([&](const auto& in_space) { return FlightPath(in_space.path(), height_m); }, planner.in_space());
@@ -224,12 +224,14 @@ void UnderWay::draw_back() {
 
 /// A multirotor is free to wait elsewhere and to face any way: it chooses for the length that the swarm will have.
 void UnderWay::aim(const Tick& tick) {
-  if (!hovers()) return replanning_.aim(replanning_.own().pose, 0);
+  if (!hovers()) return replanning_.aim(replanning_.own().pose, 0.0, 0);
   std::vector<PeerPlace> peers;
   for (const rendezvous::Joiner& peer : replanning_.joined()) {
     if (peer.agent == self_) continue;
-    const double apart_m = spec_.safety_radius_m + vehicle_of(mission_, peer.agent).safety_radius_m;
-    peers.push_back({peer.revision.pose.position_m, apart_m});
+    const auto first = std::ranges::find(replanning_.joined_first(), peer.agent, &rendezvous::Joiner::agent);
+    const Vec3& to_m = peer.revision.pose.position_m;
+    const Vec3& from_m = first != replanning_.joined_first().end() ? first->revision.pose.position_m : to_m;
+    peers.push_back({from_m, to_m, spec_.safety_radius_m + vehicle_of(mission_, peer.agent).safety_radius_m});
   }
   const WaitingQuery query{mission_, self_, replanning_.avoided(), peers};
   const double length_m = replanning_.goal_m() * (1.0 + kLongerEach * replanning_.failures());
@@ -238,7 +240,8 @@ void UnderWay::aim(const Tick& tick) {
   const double off_m = (waiting_->pose.position_m - sense_.pose.position_m).norm();
   double needed_s = kSettle_s + 2.0 * std::sqrt(2.0 * off_m / spec_.max_acceleration_mps2) + off_m / spec_.speed_mps;
   if (waiting_->stop) needed_s = kSettle_s + plan_->reference.rest_s() - plan_->reference.now_s();
-  replanning_.aim(waiting_->pose, tick.step + static_cast<std::uint32_t>(std::ceil(needed_s / mission_.step_s)));
+  replanning_.aim(waiting_->pose, waiting_->to_come_m,
+                  tick.step + static_cast<std::uint32_t>(std::ceil(needed_s / mission_.step_s)));
 }
 
 /// Without a path that is clear until the switch it circles, to the side that has more room.

@@ -39,6 +39,16 @@ struct Chooser {
   [[nodiscard]] bool clear(const Vec3& place_m) const {
     return rendezvous::clearance_m(query.mission, {}, place_m) >= keep_out_m() && clear_of_obstacles(place_m);
   }
+  /// How much nearer to a peer than allowed, at most; negative: clear of all.
+  [[nodiscard]] double too_near_m(const Vec3& place_m) const {
+    double most_m = -1e6;
+    for (const PeerPlace& peer : query.peers) {
+      const double off_m = point_to_segment(place_m, peer.from_m, peer.to_m);
+      most_m = std::max(most_m, peer.apart_m + kReserve_m - off_m);
+    }
+    return most_m;
+  }
+  [[nodiscard]] bool may_wait(const Vec3& place_m) const { return clear(place_m) && too_near_m(place_m) <= 0.0; }
   /// In a planar mission everybody stays at the height of its slot, to the bit.
   [[nodiscard]] Vec3 levelled(Vec3 place_m) const {
     if (rendezvous::is_planar(query.mission)) place_m.z() = slot_pose(query.mission, own).position_m.z();
@@ -57,8 +67,8 @@ struct Chooser {
     const double chord_m = (slot_pose(query.mission, own).position_m - place_m).norm();
     return {{place_m, heading_rad, 0.0}, chord_m, std::nullopt};
   }
-  [[nodiscard]] WaitingPlace leaving(const Vec3& place_m) const {
-    const auto place = with_way_out(place_m);
+  [[nodiscard]] WaitingPlace leaving(const Vec3& place_m, double wanted_m = 0.0) const {
+    const auto place = with_way_out(place_m, wanted_m);
     return place ? *place : somehow(place_m);
   }
   /// Whether what is to come of a path is blocked.
@@ -78,7 +88,7 @@ struct Chooser {
       for (int k = 0; k < (ring == 0 ? 1 : kDirections); ++k) {
         const Vec2 aside = kSample_m * ring * direction_of_heading(math::kTwoPi * k / kDirections);
         const Vec3 there_m = place_m + Vec3(aside.x(), aside.y(), 0.0);
-        if (clear(there_m)) return there_m;
+        if (may_wait(there_m)) return there_m;
       }
     }
     return place_m;
@@ -95,17 +105,15 @@ std::optional<double> clear_until(const Chooser& chooser, const FlightPath& path
   }
 }
 
-/// How far back, at most to an arc length (m), a path leads without coming near the place of a peer.
+/// How far back, at most to an arc length (m), a path leads without coming too near to a peer.
 double free_back_to(const Chooser& chooser, const FlightPath& path, double from_m, double to_m) {
   double last_m = from_m;
+  double before_m = chooser.too_near_m(path.position_at(from_m));
   for (double s_m = from_m; s_m > to_m;) {
     s_m = std::max(to_m, s_m - kSample_m);
-    const Vec3 here_m = path.position_at(s_m);
-    const bool near = std::ranges::any_of(chooser.query.peers, [&](const PeerPlace& peer) {
-      const double off_m = (here_m - peer.place_m).norm();
-      return off_m < peer.apart_m + kReserve_m && off_m < (path.position_at(last_m) - peer.place_m).norm();
-    });
-    if (near) return last_m;
+    const double near_m = chooser.too_near_m(path.position_at(s_m));
+    if (near_m > 0.0 && near_m > before_m) break;
+    before_m = near_m;
     last_m = s_m;
   }
   return last_m;
@@ -121,7 +129,7 @@ WaitingPlace behind(const Chooser& chooser, const FlightPath& path, double from_
   for (double s_m = from_m; s_m >= least_m && tries < kTries; s_m -= kSample_m) {
     if (s_m > next_m) continue;
     const Vec3 place_m = chooser.levelled(path.position_at(s_m));
-    if (!chooser.clear(place_m)) continue;
+    if (!chooser.may_wait(place_m)) continue;
     WaitingPlace place = chooser.somehow(place_m);
     const auto way = chooser.with_way_out(place_m, wanted_m);
     if (way) place = *way;
@@ -132,7 +140,7 @@ WaitingPlace behind(const Chooser& chooser, const FlightPath& path, double from_
     ++tries;
   }
   if (best) return *best;
-  return chooser.somehow(chooser.around(chooser.levelled(path.position_at(from_m))));
+  return chooser.leaving(chooser.around(chooser.levelled(path.position_at(from_m))), wanted_m);
 }
 
 }  // namespace
@@ -171,10 +179,7 @@ WaitingPlace place_off_path(const WaitingQuery& query, const Vec3& position_m, c
 WaitingPlace place_for_length(const WaitingQuery& query, const WaitingPlace& first, const FlightPath& path,
                               double length_m) {
   const Chooser chooser(query);
-  if (!first.stop) {
-    const auto way = chooser.with_way_out(first.pose.position_m, length_m);
-    return way ? *way : first;
-  }
+  if (!first.stop) return chooser.leaving(chooser.around(first.pose.position_m), length_m);
   const WaitingPlace::Stop& stop = *first.stop;
   if (stop.blocked || chooser.blocked(path, stop.at_m)) {  // also by what only peers know
     WaitingPlace place = behind(chooser, path, stop.at_m, length_m);
@@ -183,13 +188,21 @@ WaitingPlace place_for_length(const WaitingQuery& query, const WaitingPlace& fir
   }
   const double chord_m = (path.position_at(path.length_m()) - first.pose.position_m).norm();
   const double wanted_m = first.to_come_m > kStraightPart * chord_m ? kSlack * length_m : length_m;
-  const double back_m = std::clamp(path.length_m() - wanted_m, 0.0, stop.at_m);
-  WaitingPlace place = chooser.along(path, free_back_to(chooser, path, stop.at_m, back_m));
-  const double at_m = path.length_m() - place.to_come_m;
-  if (at_m > back_m + kSample_m) {  // a peer is in the way: a longer way may begin with another heading
+  const double best_m = std::clamp(path.length_m() - wanted_m, 0.0, stop.at_m);
+  const double least_m = free_back_to(chooser, path, stop.at_m, 0.0);
+  std::optional<double> at_m;
+  for (double off_m = 0.0; !at_m && off_m <= stop.at_m - least_m + kSample_m; off_m += kSample_m) {
+    for (const double s_m : {best_m - off_m, best_m + off_m}) {
+      if (at_m || s_m < least_m || s_m > stop.at_m || chooser.too_near_m(path.position_at(s_m)) > 0.0) continue;
+      at_m = s_m;
+    }
+  }
+  if (!at_m) return chooser.leaving(chooser.around(first.pose.position_m), length_m);
+  WaitingPlace place = chooser.along(path, *at_m);
+  if (*at_m > best_m + kSample_m) {  // a peer is in the way: a longer way may begin with another heading
     if (const auto way = chooser.with_way_out(place.pose.position_m, length_m)) place = *way;
   }
-  place.stop = WaitingPlace::Stop{stop.brake_mps2, at_m, false};
+  place.stop = WaitingPlace::Stop{stop.brake_mps2, *at_m, false};
   return place;
 }
 

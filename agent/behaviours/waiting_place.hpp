@@ -5,7 +5,8 @@
 //          the nearest clear place around
 //   then   once the swarm knows the longest of the ways to come: who has a shorter one draws back along its path until
 //          its way is as long, and leaves along the path, which so far kept all constraints. Whose path is blocked
-//          chooses the heading of a path of that length, and draws back too if there is none
+//          chooses the heading of a path of that length, and draws back too if there is none. Nobody draws back into
+//          a peer or waits too near to one: lower ids choose first
 // Clear is what keeps the planner's distance from zones and obstacles, and a little more. Peers that brake in step on
 // paths that keep apart keep apart while they brake. Source, Departs from source: own; one PH segment reaches hardly
 // more than 1.3 times its shortest length, so that lengths are made equal by the places. Complexity: O(samples * zones)
@@ -33,10 +34,11 @@ struct WaitingPlace {
   std::optional<Stop> stop;  ///< nothing off the path
 };
 
-/// Where a peer waits.
+/// Where a peer is on its way to wait, and what must be kept from it.
 struct PeerPlace {
-  Vec3 place_m = Vec3::Zero();
-  double apart_m = 0.0;  ///< to be kept from it
+  Vec3 from_m = Vec3::Zero();
+  Vec3 to_m = Vec3::Zero();
+  double apart_m = 0.0;
 };
 
 /// What the choice looks at.
@@ -44,7 +46,7 @@ struct WaitingQuery {
   const Mission& mission;
   AgentId self = 0;
   std::span<const Track> obstacles = {};  ///< fixed ones that it knows
-  std::span<const PeerPlace> peers = {};  ///< as far as they are known: nobody draws back into one
+  std::span<const PeerPlace> peers = {};  ///< as far as they are known
 };
 
 /// On a path that a reference has come to, or rests on already.
