@@ -83,7 +83,12 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
   return before != State::Idle && state_ == State::Idle ? ReplanEvent::Fail : ReplanEvent::None;
 }
 
-/// Each chooses its final place knowing those of lower ids, and where the others wait so far.
+double Replanning::shortest_of(AgentId agent, std::span<const Representative> peers) const {
+  const auto peer = std::ranges::find(peers, agent, &Representative::agent);
+  return peer == peers.end() ? shortest_m_ : peer->own_length_m;
+}
+
+/// Each chooses its final place knowing those before it, and where the others wait so far.
 ReplanEvent Replanning::aim_in_turn(const Tick& tick, std::span<const Representative> peers) {
   joined_ = joiners(peers);
   goal_m_ = shortest_m_;
@@ -94,14 +99,17 @@ ReplanEvent Replanning::aim_in_turn(const Tick& tick, std::span<const Representa
     state_ = State::Aiming;
     first_turn_ = tick.round;
     first_ = joined_;
+    order_.clear();
+    for (const rendezvous::Joiner& joiner : joined_) order_.push_back({shortest_of(joiner.agent, peers), joiner.agent});
+    std::ranges::stable_sort(order_, [](const Turn& a, const Turn& b) { return a.shortest_m > b.shortest_m; });
     avoided_ = rendezvous::united(joined_);
   }
   const std::uint32_t turn = tick.round - first_turn_;
-  if (turn >= first_.size()) {
+  if (turn >= order_.size()) {
     open(tick);
     return ReplanEvent::None;
   }
-  if (first_[turn].agent == self_) return ReplanEvent::Aim;
+  if (order_[turn].agent == self_) return ReplanEvent::Aim;
   publish_revision();
   return ReplanEvent::None;
 }

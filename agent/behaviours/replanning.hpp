@@ -6,7 +6,7 @@
 //             included: its round is the attempt's number
 //   Joined    the next: who joined is known, and the         its revision          Aiming
 //             longest of the shortest ways to come
-//   Aiming    one after the other, by ascending id            its revision, from    Aiming
+//   Aiming    one after the other, the longest way first      its revision, from    Aiming
 //                                                             its turn on final
 //   Aiming    all had their turn                              generation 0          Planning: with all that still aim
 //   Planning  the next                                        its representative    Planning; Ready; Idle: failed
@@ -77,6 +77,8 @@ class Replanning {
   [[nodiscard]] const Revision& own() const { return own_; }
   /// What all that joined know. @pre hear() said Aim in this round
   [[nodiscard]] const std::vector<Track>& avoided() const { return avoided_; }
+  /// Whether nobody aimed before it. @pre hear() said Aim in this round
+  [[nodiscard]] bool aims_first() const { return order_.front().agent == self_; }
   /// Who joined and where they will be, as they said last, this agent among them. @pre hear() said Aim in this round
   [[nodiscard]] const std::vector<rendezvous::Joiner>& joined() const { return joined_; }
   /// The same, as they said first.
@@ -94,6 +96,13 @@ class Replanning {
  private:
   enum class State : std::uint8_t { Idle, Called, Joined, Aiming, Planning, Ready };
 
+  /// Whose turn it is to aim: by descending length of the way, equal ones by ascending id.
+  struct Turn {
+    double shortest_m;
+    AgentId agent;
+  };
+
+  [[nodiscard]] double shortest_of(AgentId agent, std::span<const Representative> peers) const;
   [[nodiscard]] std::optional<std::uint32_t> called_switch(const Tick& tick,
                                                            std::span<const Representative> peers) const;
   [[nodiscard]] std::uint32_t steps_to_switch() const;
@@ -117,6 +126,7 @@ class Replanning {
   std::vector<Track> avoided_;
   std::vector<rendezvous::Joiner> joined_;
   std::vector<rendezvous::Joiner> first_;
+  std::vector<Turn> order_;
   std::uint32_t first_turn_ = 0;  ///< the round of the first of them
   std::optional<Representative> sample_;
   std::optional<NewPlan> plan_;

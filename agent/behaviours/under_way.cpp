@@ -35,11 +35,12 @@ VehicleSpec with_speed(VehicleSpec spec, double speed_mps) {
 }  // namespace
 
 UnderWay::UnderWay(const Mission& mission, AgentId self)
-    : mission_(mission),
+    : mission_(rendezvous::with_reserve(mission)),
+      told_(mission.vehicles),
       self_(self),
-      spec_(vehicle_of(mission, self)),
+      spec_(vehicle_of(mission_, self)),
       controller_(mission.controller, spec_, mission.step_s, kPeerRange_m),
-      replanning_(mission, self),
+      replanning_(mission_, self),
       speed_(mission.step_s),
       late_(mission.step_s),
       hold_(spec_, mission.step_s, kShare),
@@ -234,7 +235,8 @@ void UnderWay::aim(const Tick& tick) {
     peers.push_back({from_m, to_m, spec_.safety_radius_m + vehicle_of(mission_, peer.agent).safety_radius_m});
   }
   const WaitingQuery query{mission_, self_, replanning_.avoided(), peers};
-  const double length_m = replanning_.goal_m() * (1.0 + kLongerEach * replanning_.failures());
+  const double longer = replanning_.aims_first() ? 1.0 + kLongerEach * replanning_.failures() : 1.0;
+  const double length_m = longer * replanning_.goal_m();
   waiting_ = place_for_length(query, waiting_.value(), plan_ ? plan_->path : FlightPath(), length_m);
   draw_back();
   const double off_m = (waiting_->pose.position_m - sense_.pose.position_m).norm();

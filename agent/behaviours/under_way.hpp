@@ -77,7 +77,8 @@ class UnderWay {
   [[nodiscard]] std::vector<ZoneShape> closed_zones(double time_s) const;
   [[nodiscard]] bool leads_into(std::span<const ZoneShape> zones) const;
 
-  Mission mission_;
+  Mission mission_;                ///< with the reserve of plans
+  std::vector<VehicleSpec> told_;  ///< vehicles as the mission says
   AgentId self_;
   VehicleSpec spec_;
   VelocityController controller_;

@@ -139,10 +139,11 @@ void UnderWay::fly(const Tick& tick, RoundOutput& out) {
 
 void UnderWay::watch_over(const Tick& tick, std::span<const Neighbour> neighbours, bool waits_for_zone,
                           RoundOutput& out) const {
+  const auto safety_radius_m = [this](AgentId id) {
+    return std::ranges::find(told_, id, &VehicleSpec::id)->safety_radius_m;
+  };
   std::vector<double> safe_m;
-  for (const Neighbour& other : neighbours) {
-    safe_m.push_back(spec_.safety_radius_m + vehicle_of(mission_, other.id).safety_radius_m);
-  }
+  for (const Neighbour& other : neighbours) safe_m.push_back(safety_radius_m(self_) + safety_radius_m(other.id));
   Situation now;
   now.neighbours = neighbours;
   now.safe_m = safe_m;

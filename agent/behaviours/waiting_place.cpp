@@ -19,6 +19,10 @@ constexpr double kReserve_m = 0.25;      ///< beyond the planner's distance
 constexpr double kSample_m = 0.5;        ///< of a path, and of rings around a place
 constexpr double kHardest_part = 0.95;   ///< of what the vehicle can brake
 constexpr double kReach_radii = 3.0;     ///< turning radii that should be clear ahead
+constexpr double kShort = 0.99;          ///< of the swarm's length: enough of it
+constexpr int kFarRings = 10;            ///< around a place that is too near to the slot
+constexpr double kFarRing_m = 5.0;
+constexpr double kMostPerChord = 1.25;  ///< the length of a path of one segment
 constexpr int kRings = 60;
 constexpr int kDirections = 16;
 constexpr int kTries = 6;  ///< places behind that are asked for a way to the slot
@@ -160,8 +164,9 @@ WaitingPlace place_on_path(const WaitingQuery& query, const FlightPath& path, co
   const double brake_mps2 =
       end_m < usual_m ? std::clamp(speed_mps * speed_mps / (2.0 * room_m), usual_mps2, hardest_mps2) : usual_mps2;
   if (chooser.blocked(path, end_m)) {
-    WaitingPlace place = behind(chooser, path, end_m, 0.0);
-    if (place.stop) place.stop->brake_mps2 = brake_mps2;
+    WaitingPlace place = behind(chooser, path, end_m, 0.0);  // for its way; where it waits is decided in turn
+    place.pose.position_m = chooser.levelled(path.position_at(end_m));
+    place.stop = WaitingPlace::Stop{brake_mps2, end_m, true};
     return place;
   }
   WaitingPlace place = chooser.along(path, end_m);
@@ -176,34 +181,75 @@ WaitingPlace place_off_path(const WaitingQuery& query, const Vec3& position_m, c
   return chooser.leaving(chooser.around(chooser.levelled(position_m + way_m)));
 }
 
-WaitingPlace place_for_length(const WaitingQuery& query, const WaitingPlace& first, const FlightPath& path,
-                              double length_m) {
-  const Chooser chooser(query);
-  if (!first.stop) return chooser.leaving(chooser.around(first.pose.position_m), length_m);
-  const WaitingPlace::Stop& stop = *first.stop;
-  if (stop.blocked || chooser.blocked(path, stop.at_m)) {  // also by what only peers know
-    WaitingPlace place = behind(chooser, path, stop.at_m, length_m);
-    if (place.stop) place.stop->brake_mps2 = stop.brake_mps2;
-    return place;
+namespace {
+
+/// Whether a straight flight keeps clear of everything.
+bool may_cross(const Chooser& chooser, const Vec3& from_m, const Vec3& to_m) {
+  const double length_m = (to_m - from_m).norm();
+  double before_m = chooser.too_near_m(from_m);
+  for (double s_m = kSample_m; s_m < length_m; s_m += kSample_m) {
+    const Vec3 here_m = from_m + s_m / length_m * (to_m - from_m);
+    const double near_m = chooser.too_near_m(here_m);
+    if (!chooser.clear(here_m) || (near_m > 0.0 && near_m > before_m)) return false;
+    before_m = near_m;
   }
+  return chooser.may_wait(to_m);
+}
+
+/// A place around from which a way of a length (m) leads to the slot, or nothing.
+std::optional<WaitingPlace> elsewhere(const Chooser& chooser, const Vec3& from_m, double wanted_m) {
+  const Vec3 slot_m = slot_pose(chooser.query.mission, chooser.own).position_m;
+  for (int ring = 1; ring <= kFarRings; ++ring) {
+    for (int k = 0; k < kDirections; ++k) {
+      const Vec2 aside = kFarRing_m * ring * direction_of_heading(math::kTwoPi * k / kDirections);
+      const Vec3 there_m = from_m + Vec3(aside.x(), aside.y(), 0.0);
+      const double chord_m = (slot_m - there_m).norm();
+      if (chord_m > wanted_m || kMostPerChord * chord_m < wanted_m || !may_cross(chooser, from_m, there_m)) continue;
+      const auto way = chooser.with_way_out(there_m, wanted_m);
+      if (way && way->to_come_m >= wanted_m) return way;
+    }
+  }
+  return std::nullopt;
+}
+
+/// On the path that it flew, if it is not blocked, from where the rest of it has the length.
+std::optional<WaitingPlace> farther_back(const Chooser& chooser, const WaitingPlace& first, const FlightPath& path,
+                                         double length_m) {
+  const WaitingPlace::Stop& stop = *first.stop;
   const double chord_m = (path.position_at(path.length_m()) - first.pose.position_m).norm();
   const double wanted_m = first.to_come_m > kStraightPart * chord_m ? kSlack * length_m : length_m;
   const double best_m = std::clamp(path.length_m() - wanted_m, 0.0, stop.at_m);
   const double least_m = free_back_to(chooser, path, stop.at_m, 0.0);
-  std::optional<double> at_m;
-  for (double off_m = 0.0; !at_m && off_m <= stop.at_m - least_m + kSample_m; off_m += kSample_m) {
+  for (double off_m = 0.0; off_m <= stop.at_m - least_m + kSample_m; off_m += kSample_m) {
     for (const double s_m : {best_m - off_m, best_m + off_m}) {
-      if (at_m || s_m < least_m || s_m > stop.at_m || chooser.too_near_m(path.position_at(s_m)) > 0.0) continue;
-      at_m = s_m;
+      if (s_m < least_m || s_m > stop.at_m || chooser.too_near_m(path.position_at(s_m)) > 0.0) continue;
+      WaitingPlace place = chooser.along(path, s_m);
+      if (place.to_come_m < length_m) {  // a peer is in the way: a longer way may begin with another heading
+        if (const auto way = chooser.with_way_out(place.pose.position_m, length_m)) place = *way;
+      }
+      place.stop = WaitingPlace::Stop{stop.brake_mps2, s_m, false};
+      return place;
     }
   }
-  if (!at_m) return chooser.leaving(chooser.around(first.pose.position_m), length_m);
-  WaitingPlace place = chooser.along(path, *at_m);
-  if (*at_m > best_m + kSample_m) {  // a peer is in the way: a longer way may begin with another heading
-    if (const auto way = chooser.with_way_out(place.pose.position_m, length_m)) place = *way;
+  return std::nullopt;
+}
+
+}  // namespace
+
+WaitingPlace place_for_length(const WaitingQuery& query, const WaitingPlace& first, const FlightPath& path,
+                              double length_m) {
+  const Chooser chooser(query);
+  std::optional<WaitingPlace> place;
+  if (first.stop && (first.stop->blocked || chooser.blocked(path, first.stop->at_m))) {  // also by what peers know
+    place = behind(chooser, path, first.stop->at_m, length_m);
+    if (place->stop) place->stop->brake_mps2 = first.stop->brake_mps2;
+  } else if (first.stop) {
+    place = farther_back(chooser, first, path, length_m);
   }
-  place.stop = WaitingPlace::Stop{stop.brake_mps2, *at_m, false};
-  return place;
+  if (!place) place = chooser.leaving(chooser.around(first.pose.position_m), length_m);
+  if (place->to_come_m >= kShort * length_m) return *place;
+  const auto other = elsewhere(chooser, first.pose.position_m, length_m);
+  return other ? *other : *place;
 }
 
 }  // namespace skein

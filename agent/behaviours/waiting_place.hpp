@@ -6,7 +6,8 @@
 //   then   once the swarm knows the longest of the ways to come: who has a shorter one draws back along its path until
 //          its way is as long, and leaves along the path, which so far kept all constraints. Whose path is blocked
 //          chooses the heading of a path of that length, and draws back too if there is none. Nobody draws back into
-//          a peer or waits too near to one: lower ids choose first
+//          a peer or waits too near to one: who has the longest way chooses first. Who cannot draw back far enough
+//          looks around for a place with a way of that length
 // Clear is what keeps the planner's distance from zones and obstacles, and a little more. Peers that brake in step on
 // paths that keep apart keep apart while they brake. Source, Departs from source: own; one PH segment reaches hardly
 // more than 1.3 times its shortest length, so that lengths are made equal by the places. Complexity: O(samples * zones)

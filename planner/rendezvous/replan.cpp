@@ -11,6 +11,7 @@
 namespace skein::rendezvous {
 namespace {
 
+constexpr double kSeparationReserve = 1.25;
 constexpr int kHeadings = 24;
 /// m0 and m1 that are tried, in chords.
 constexpr std::array<double, 7> kChords{0.25, 0.5, 0.8, 1.2, 1.8, 2.7, 4.0};
@@ -113,6 +114,22 @@ Mission revised(const Mission& mission, std::span<const Joiner> joiners, std::ui
   }
   for (const Track& track : united(joiners)) next.zones.push_back({column_of(track), false});
   next.seed = StateHash().add(mission.seed).add(attempt).value();
+  return next;
+}
+
+Mission with_reserve(const Mission& mission) {
+  double factor = kSeparationReserve;
+  for (const VehicleSpec& a : mission.vehicles) {
+    for (const VehicleSpec& b : mission.vehicles) {
+      const double needed_m = a.safety_radius_m + b.safety_radius_m;
+      if (a.id >= b.id || needed_m == 0.0) continue;
+      const double slots_m = (slot_pose(mission, a).position_m - slot_pose(mission, b).position_m).norm();
+      const double starts_m = (a.start.position_m - b.start.position_m).norm();
+      factor = std::min(factor, 0.999 * std::min(slots_m, starts_m) / needed_m);
+    }
+  }
+  Mission next = mission;
+  for (VehicleSpec& vehicle : next.vehicles) vehicle.safety_radius_m *= std::max(1.0, factor);
   return next;
 }
 

@@ -35,6 +35,10 @@ struct Joiner {
 /// The mission of an attempt. @param joiners by ascending agent, at least one, all of them the mission's
 [[nodiscard]] Mission revised(const Mission& mission, std::span<const Joiner> joiners, std::uint32_t attempt);
 
+/// The mission with larger safety radii, by a fourth or as far as the slots allow: plans that are made for it leave
+/// room for UAVs that brake, wait and draw back each on its own.
+[[nodiscard]] Mission with_reserve(const Mission& mission);
+
 /// A heading (rad) to leave a place by, and the length (m) of the path that it was chosen for.
 struct Departure {
   double heading_rad = 0.0;
