@@ -4,6 +4,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "planner/rendezvous/replan.hpp"
+
 namespace skein {
 namespace {
 
@@ -17,7 +19,7 @@ Vec3 at_height(const Vec3& p, double /*height_m*/) {
 }  // namespace
 
 RendezvousBehaviour::RendezvousBehaviour(const Mission& mission, AgentId self, bool rejoined)
-    : planner_(mission, self),
+    : planner_(mission.planner.replan != 0 ? rendezvous::with_reserve(mission) : mission, self),
       vehicle_(vehicle_of(mission, self).type),
       replans_(mission.planner.replan != 0),
       rejoined_(rejoined),

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "planner/rendezvous/replan.hpp"
-
 namespace skein {
 namespace {
 
@@ -69,8 +67,9 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
     return ReplanEvent::Join;
   }
   const State before = state_;
-  if (before == State::Joined) {
-    open(tick, peers);
+  if (before == State::Joined || before == State::Aiming) {
+    const ReplanEvent event = aim_in_turn(tick, peers);
+    if (event == ReplanEvent::Aim) return event;
   } else if (before == State::Planning) {
     plan(tick, peers);
   }
@@ -84,6 +83,37 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
   return before != State::Idle && state_ == State::Idle ? ReplanEvent::Fail : ReplanEvent::None;
 }
 
+double Replanning::shortest_of(AgentId agent, std::span<const Representative> peers) const {
+  const auto peer = std::ranges::find(peers, agent, &Representative::agent);
+  return peer == peers.end() ? shortest_m_ : peer->own_length_m;
+}
+
+/// Each chooses its final place knowing those before it, and where the others wait so far.
+ReplanEvent Replanning::aim_in_turn(const Tick& tick, std::span<const Representative> peers) {
+  joined_ = joiners(peers);
+  goal_m_ = shortest_m_;
+  for (const Representative& peer : peers) {
+    if (peer.revision && peer.revision->attempt == attempt_) goal_m_ = std::max(goal_m_, peer.own_length_m);
+  }
+  if (state_ == State::Joined) {
+    state_ = State::Aiming;
+    first_turn_ = tick.round;
+    first_ = joined_;
+    order_.clear();
+    for (const rendezvous::Joiner& joiner : joined_) order_.push_back({shortest_of(joiner.agent, peers), joiner.agent});
+    std::ranges::stable_sort(order_, [](const Turn& a, const Turn& b) { return a.shortest_m > b.shortest_m; });
+    avoided_ = rendezvous::united(joined_);
+  }
+  const std::uint32_t turn = tick.round - first_turn_;
+  if (turn >= order_.size()) {
+    open(tick);
+    return ReplanEvent::None;
+  }
+  if (order_[turn].agent == self_) return ReplanEvent::Aim;
+  publish_revision();
+  return ReplanEvent::None;
+}
+
 void Replanning::call(const Tick& tick, Revision own) {
   if (engaged() || tick.phase != Phase::Flying) throw std::logic_error("a call is for flight rounds, one at a time");
   state_ = State::Called;
@@ -93,31 +123,48 @@ void Replanning::call(const Tick& tick, Revision own) {
   publish_revision();
 }
 
-void Replanning::join(Revision own) {
+void Replanning::join(Revision own, double shortest_m) {
   if (state_ != State::Joined) throw std::logic_error("there is no attempt to join");
   own_ = std::move(own);
   own_.attempt = attempt_;
   own_.switch_step = switch_step_;
+  shortest_m_ = shortest_m;
+  publish_revision();
+}
+
+void Replanning::aim(const Pose& pose, double shortest_m, std::uint32_t earliest_step) {
+  if (state_ != State::Aiming) throw std::logic_error("there is nothing to aim for");
+  own_.pose = pose;
+  own_.switch_step = std::max(switch_step_, earliest_step);
+  shortest_m_ = shortest_m;
   publish_revision();
 }
 
 void Replanning::publish_revision() {
   sample_.emplace();
   sample_->agent = self_;
+  sample_->own_length_m = shortest_m_;
   sample_->revision = own_;
 }
 
-/// All that joined plan together.
-void Replanning::open(const Tick& tick, std::span<const Representative> peers) {
-  std::vector<rendezvous::Joiner> joiners{{self_, own_}};
+/// Who published a revision of the attempt in the round before, this agent included.
+std::vector<rendezvous::Joiner> Replanning::joiners(std::span<const Representative> peers) const {
+  std::vector<rendezvous::Joiner> all{{self_, own_}};
   for (const Representative& peer : peers) {
-    if (peer.revision && peer.revision->attempt == attempt_) joiners.push_back({peer.agent, *peer.revision});
+    if (peer.revision && peer.revision->attempt == attempt_) all.push_back({peer.agent, *peer.revision});
   }
-  std::ranges::sort(joiners, {}, &rendezvous::Joiner::agent);
-  const Mission mission = rendezvous::revised(mission_, joiners, attempt_);
+  std::ranges::sort(all, {}, &rendezvous::Joiner::agent);
+  return all;
+}
+
+/// All that aimed plan together.
+void Replanning::open(const Tick& tick) {
+  const std::vector<rendezvous::Joiner>& all = joined_;
+  for (const rendezvous::Joiner& joiner : all) switch_step_ = std::max(switch_step_, joiner.revision.switch_step);
+  const Mission mission = rendezvous::revised(mission_, all, attempt_);
   try {
     plan_.emplace(
-        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(joiners)});
+        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(all)});
   } catch (const std::invalid_argument&) {  // of all alike: one promised a pose that nobody can plan from
     return fail(tick);
   }
@@ -157,6 +204,7 @@ NewPlan Replanning::take() {
 void Replanning::add_to(StateHash& hash) const {
   hash.add(state_).add(attempt_).add(switch_step_).add(failures_).add(failed_step_);
   if (engaged()) skein::add_to(hash, own_);
+  hash.add(shortest_m_).add(goal_m_);
   if (plan_) plan_->planner.add_to(hash);
 }
 

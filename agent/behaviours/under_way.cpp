@@ -18,6 +18,10 @@ constexpr double kPromise = 0.98;
 /// Within which every live peer is heard: a rendezvous has no radio of limited range.
 constexpr double kPeerRange_m = 1e6;
 constexpr std::size_t kMostKnown = 64;
+/// Until a multirotor stands after it has braked.
+constexpr double kSettle_s = 1.5;
+/// By how much more of the way each failure lets all draw back, so that more lengths are in reach.
+constexpr double kLongerEach = 0.05;
 
 FlightPath path_of(const rendezvous::Planner& planner, double height_m) {
   return std::visit([&](const auto& in_space) { return FlightPath(in_space.path(), height_m); }, planner.in_space());
@@ -31,11 +35,12 @@ VehicleSpec with_speed(VehicleSpec spec, double speed_mps) {
 }  // namespace
 
 UnderWay::UnderWay(const Mission& mission, AgentId self)
-    : mission_(mission),
+    : mission_(rendezvous::with_reserve(mission)),
+      told_(mission.vehicles),
       self_(self),
-      spec_(vehicle_of(mission, self)),
+      spec_(vehicle_of(mission_, self)),
       controller_(mission.controller, spec_, mission.step_s, kPeerRange_m),
-      replanning_(mission, self),
+      replanning_(mission_, self),
       speed_(mission.step_s),
       late_(mission.step_s),
       hold_(spec_, mission.step_s, kShare),
@@ -51,6 +56,7 @@ void UnderWay::set_plan(const rendezvous::Planner& planner, double speed_mps, st
   plan_.emplace(Plan{path_of(planner, height_m), MovingReference(spec, mission_.step_s, kShare),
                      PathFollower(spec, mission_.step_s)});
   late_ = LateWatch(mission_.step_s);
+  accepted_ = true;
   waiting_.reset();
   for (Known& known : known_) known.settled = false;
   for (const Track& track : avoided) note_known(track, true);
@@ -108,7 +114,11 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
   switch (replanning_.hear(input.tick, input.peers, takes_part())) {
     case ReplanEvent::Join:
       stop(input.tick);
-      replanning_.join(revision(input.tick, wanted_.value_or(SafetyReason::None)));
+      replanning_.join(revision(input.tick, wanted_.value_or(SafetyReason::None)),
+                       waiting_ ? waiting_->to_come_m : 0.0);
+      break;
+    case ReplanEvent::Aim:
+      aim(input.tick);
       break;
     case ReplanEvent::Switch: {
       const NewPlan next = replanning_.take();
@@ -117,14 +127,17 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
       break;
     }
     case ReplanEvent::Fail:
-      plan_.reset();
+      accepted_ = false;
       break;
     case ReplanEvent::None:
       break;
   }
   if (flying) {
     wanted_ = takes_part() ? wants() : std::nullopt;
-    if (wanted_ && replanning_.may_call(input.tick.step)) replanning_.call(input.tick, revision(input.tick, *wanted_));
+    if (wanted_ && replanning_.may_call(input.tick.step)) {
+      replanning_.call(input.tick, revision(input.tick, *wanted_));
+      if (*wanted_ == SafetyReason::Blocked && hovers()) brake_at_once();
+    }
     fly(input.tick, out);
   }
   out.mode = replanning_.engaged() ? AgentMode::Replanning
@@ -141,7 +154,7 @@ double UnderWay::to_come_m() const {
 
 /// Why the plan does not hold, if it does not.
 std::optional<SafetyReason> UnderWay::wants() {
-  if (!plan_) return SafetyReason::NoPlan;
+  if (!accepted_) return SafetyReason::NoPlan;
   bool blocked = false;
   for (Known& known : known_) {
     if (known.settled) continue;
@@ -185,29 +198,65 @@ void UnderWay::wait_hovering() {
   const std::vector<Track> obstacles = this->obstacles();
   const WaitingQuery query{mission_, self_, obstacles};
   const bool near = reference_m_ && (*reference_m_ - sense_.pose.position_m).norm() <= mission_.controller.deviation_m;
-  if (waiting_ && near) {  // it waits, or is about to
-    const Pose place = place_off_path(query, waiting_->pose.position_m, Vec3::Zero()).pose;
-    if (place.position_m != waiting_->pose.position_m) waiting_->brake_mps2.reset();
-    waiting_->pose = place;
-  } else if (plan_ && near) {
+  if (plan_ && near && (!waiting_ || waiting_->stop)) {
     waiting_ = place_on_path(query, plan_->path, plan_->reference);
-    if (waiting_->brake_mps2) plan_->reference.brake(plan_->path.length_m(), *waiting_->brake_mps2);
+    if (waiting_->stop) plan_->reference.brake(plan_->path.length_m(), waiting_->stop->brake_mps2);
+  } else if (waiting_ && near) {
+    waiting_ = place_off_path(query, waiting_->pose.position_m, Vec3::Zero());
   } else {
     waiting_ = place_off_path(query, sense_.pose.position_m, sense_.velocity_mps);
   }
+  draw_back();
+}
+
+/// Peers begin to brake one step later; who would come too close until then does not wait for them.
+void UnderWay::brake_at_once() {
+  const std::vector<Track> obstacles = this->obstacles();
+  const WaitingPlace place = place_on_path({mission_, self_, obstacles}, plan_->path, plan_->reference);
+  if (!place.stop || place.stop->brake_mps2 <= 0.5 * spec_.max_acceleration_mps2) return;
+  waiting_ = place;
+  plan_->reference.brake(plan_->path.length_m(), place.stop->brake_mps2);
+  draw_back();
+}
+
+void UnderWay::draw_back() {
+  if (waiting_->stop) plan_->reference.draw_back(plan_->path.length_m(), waiting_->stop->at_m);
+}
+
+/// A multirotor is free to wait elsewhere and to face any way: it chooses for the length that the swarm will have.
+void UnderWay::aim(const Tick& tick) {
+  if (!hovers()) return replanning_.aim(replanning_.own().pose, 0.0, 0);
+  std::vector<PeerPlace> peers;
+  for (const rendezvous::Joiner& peer : replanning_.joined()) {
+    if (peer.agent == self_) continue;
+    const auto first = std::ranges::find(replanning_.joined_first(), peer.agent, &rendezvous::Joiner::agent);
+    const Vec3& to_m = peer.revision.pose.position_m;
+    const Vec3& from_m = first != replanning_.joined_first().end() ? first->revision.pose.position_m : to_m;
+    peers.push_back({from_m, to_m, spec_.safety_radius_m + vehicle_of(mission_, peer.agent).safety_radius_m});
+  }
+  const WaitingQuery query{mission_, self_, replanning_.avoided(), peers};
+  const double longer = replanning_.aims_first() ? 1.0 + kLongerEach * replanning_.failures() : 1.0;
+  const double length_m = longer * replanning_.goal_m();
+  waiting_ = place_for_length(query, waiting_.value(), plan_ ? plan_->path : FlightPath(), length_m);
+  draw_back();
+  const double off_m = (waiting_->pose.position_m - sense_.pose.position_m).norm();
+  double needed_s = kSettle_s + 2.0 * std::sqrt(2.0 * off_m / spec_.max_acceleration_mps2) + off_m / spec_.speed_mps;
+  if (waiting_->stop) needed_s = kSettle_s + plan_->reference.rest_s() - plan_->reference.now_s();
+  replanning_.aim(waiting_->pose, waiting_->to_come_m,
+                  tick.step + static_cast<std::uint32_t>(std::ceil(needed_s / mission_.step_s)));
 }
 
 /// Without a path that is clear until the switch it circles, to the side that has more room.
 void UnderWay::wait_circling(const Tick& tick) {
   const std::vector<Track> obstacles = this->obstacles();
-  if (plan_) {
+  if (accepted_) {
     const double until_m = (replanning_.switch_step() - tick.step + 1) * spec_.speed_mps * mission_.step_s;
     const double keep_out_m = spec_.radius_m + mission_.planner.clearance_margin_m;
     const bool clear = std::ranges::none_of(obstacles, [&](const Track& track) {
       return blocks(plan_->path, plan_->follower.next_m(), track, keep_out_m, plan_->follower.next_m() + until_m);
     });
     if (clear) return;
-    plan_.reset();
+    accepted_ = false;
   }
   const Vec2 along = direction_of_heading(sense_.pose.heading_rad);
   const Vec3 left_m = Vec3(-along.y(), along.x(), 0.0) / spec_.max_curvature_per_m;

@@ -63,7 +63,11 @@ class UnderWay {
   [[nodiscard]] double to_come_m() const;
   [[nodiscard]] std::vector<Track> obstacles() const;
   void stop(const Tick& tick);
+  void aim(const Tick& tick);
   void wait_hovering();
+  [[nodiscard]] bool on_path() const { return plan_ && (waiting_ ? waiting_->stop.has_value() : accepted_); }
+  void brake_at_once();
+  void draw_back();
   void wait_circling(const Tick& tick);
   [[nodiscard]] Pose pose_at_switch(const Tick& tick) const;
   [[nodiscard]] Vec3 wish();
@@ -73,7 +77,8 @@ class UnderWay {
   [[nodiscard]] std::vector<ZoneShape> closed_zones(double time_s) const;
   [[nodiscard]] bool leads_into(std::span<const ZoneShape> zones) const;
 
-  Mission mission_;
+  Mission mission_;                ///< with the reserve of plans
+  std::vector<VehicleSpec> told_;  ///< vehicles as the mission says
   AgentId self_;
   VehicleSpec spec_;
   VelocityController controller_;
@@ -81,6 +86,7 @@ class UnderWay {
   SpeedWatch speed_;
   LateWatch late_;
   std::optional<Plan> plan_;
+  bool accepted_ = false;                ///< plan_ is flown; else it is only the way that it came
   std::optional<WaitingPlace> waiting_;  ///< where it stops for a new plan; nothing while it flies one
   MovingReference hold_;                 ///< of a multirotor that waits off its path
   double turn_rad_ = 0.0;                ///< of a step in which a constant-speed vehicle circles, to the left

@@ -30,7 +30,7 @@ Pose after_arc(const Pose& pose, double length_m, double turn_rad) {
 Pose UnderWay::pose_at_switch(const Tick& tick) const {
   const double step_m = spec_.speed_mps * mission_.step_s;
   const double steps = replanning_.switch_step() - tick.step;
-  if (plan_) {
+  if (accepted_) {
     const double s_m = plan_->follower.next_m() + steps * step_m;
     const Vec3 along = plan_->path.direction_at(s_m);
     Pose pose;
@@ -52,14 +52,14 @@ Pose UnderWay::pose_at_switch(const Tick& tick) const {
 Vec3 UnderWay::wish() {
   const Pose& pose = sense_.pose;
   if (!hovers()) {
-    if (!plan_) return velocity_along(pose.heading_rad + turn_rad_, spec_.speed_mps);
+    if (!accepted_) return velocity_along(pose.heading_rad + turn_rad_, spec_.speed_mps);
     reference_m_ = plan_->path.position_at(plan_->follower.next_m());
     const auto command =
         std::visit([&](const auto& path) { return plan_->follower.command(path, pose); }, plan_->path.in_space());
     arrived_ = command.path_flown && !replanning_.engaged();
     return command.velocity_mps;
   }
-  if (plan_ && (!waiting_ || waiting_->brake_mps2)) {
+  if (on_path()) {
     const FlightPath& path = plan_->path;
     const auto position_at = [&](double s_m) { return path.position_at(s_m); };
     reference_m_ = path.position_at(plan_->reference.travelled_m(path.length_m(), plan_->reference.now_s()));
@@ -101,7 +101,7 @@ std::vector<ZoneShape> UnderWay::closed_zones(double time_s) const {
 
 /// Whether the plan enters one of the zones within the horizon.
 bool UnderWay::leads_into(std::span<const ZoneShape> zones) const {
-  if (zones.empty() || !plan_) return false;
+  if (zones.empty() || !accepted_) return false;
   const double from_m = to_come_m();
   const double to_m = std::min(plan_->path.length_m(), from_m + spec_.speed_mps * mission_.controller.horizon_s);
   for (double s_m = from_m; s_m <= to_m; s_m += 0.5 * spec_.speed_mps * mission_.step_s) {
@@ -134,17 +134,18 @@ void UnderWay::fly(const Tick& tick, RoundOutput& out) {
 
 void UnderWay::watch_over(const Tick& tick, std::span<const Neighbour> neighbours, bool waits_for_zone,
                           RoundOutput& out) const {
+  const auto safety_radius_m = [this](AgentId id) {
+    return std::ranges::find(told_, id, &VehicleSpec::id)->safety_radius_m;
+  };
   std::vector<double> safe_m;
-  for (const Neighbour& other : neighbours) {
-    safe_m.push_back(spec_.safety_radius_m + vehicle_of(mission_, other.id).safety_radius_m);
-  }
+  for (const Neighbour& other : neighbours) safe_m.push_back(safety_radius_m(self_) + safety_radius_m(other.id));
   Situation now;
   now.neighbours = neighbours;
   now.safe_m = safe_m;
   now.position_m = sense_.pose.position_m;
   now.velocity_mps = sense_.velocity_mps;
-  if (plan_) now.reference_m = reference_m_;
-  now.has_plan = plan_.has_value();
+  if (accepted_) now.reference_m = reference_m_;
+  now.has_plan = accepted_;
   now.replanning = replanning_.engaged();
   now.zone_unconfirmed = waits_for_zone;
   now.stale_peer = std::ranges::any_of(tick.roster, [&](const RosterEntry& entry) {
@@ -163,13 +164,13 @@ void UnderWay::add_to(StateHash& hash) const {
   replanning_.add_to(hash);
   speed_.add_to(hash);
   late_.add_to(hash);
-  hash.add(plan_.has_value());
+  hash.add(plan_.has_value()).add(accepted_);
   if (plan_) {
     plan_->reference.add_to(hash);
     plan_->follower.add_to(hash);
     hash.add(plan_->path.length_m());
   }
-  if (waiting_) hash.add(waiting_->pose).add(waiting_->brake_mps2.value_or(-1.0));
+  if (waiting_) hash.add(waiting_->pose).add(waiting_->stop ? waiting_->stop->at_m : -1.0);
   hash.add(known_.size());
   for (const Known& known : known_) {
     hash.add(known.settled);

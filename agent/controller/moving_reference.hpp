@@ -10,7 +10,7 @@
 // behind flies with a share of its speed, so that it can catch up, and k shrinks with the error e to sqrt(2 a / |e|):
 // from any distance it comes to rest without overshooting.
 // A reference that brakes leaves the profile and comes to rest, s(t) = s0 + v0 t - b t^2 / 2; all that brake in one
-// step with one b stay in step.
+// step with one b stay in step. From there it may draw back along the path, with the same profile from rest to rest.
 // Source: own; papers/002 and papers/004 attract to a goal, here the goal moves. Complexity: O(1) a step.
 #pragma once
 
@@ -52,6 +52,12 @@ class MovingReference {
   /// From the next step on it comes to rest with a deceleration. Braking again is without effect.
   void brake(double length_m, double deceleration_mps2);
   [[nodiscard]] bool brakes() const { return braking_.has_value(); }
+  /// Where it comes to rest (m). @pre brakes()
+  [[nodiscard]] double rest_m() const { return rest_of(*braking_) - (back_ ? back_->by_m : 0.0); }
+  /// When it does, s after the start. @pre brakes()
+  [[nodiscard]] double rest_s() const;
+  /// Once at rest, back to an arc length (m) that is not ahead of rest_m(). @pre brakes()
+  void draw_back(double length_m, double to_m);
 
   /// The command of the next step for a vehicle at a position (m); one call a step. `position_at`: arc length (m) to
   /// position (m) on the path.
@@ -74,6 +80,7 @@ class MovingReference {
   void add_to(StateHash& hash) const {
     hash.add(steps_);
     if (braking_) hash.add(braking_->from_s).add(braking_->from_m).add(braking_->speed_mps).add(braking_->by_mps2);
+    if (back_) hash.add(back_->from_s).add(back_->by_m);
   }
 
  private:
@@ -83,6 +90,15 @@ class MovingReference {
     double speed_mps;
     double by_mps2;
   };
+  struct Back {
+    double from_s;
+    double by_m;
+  };
+
+  [[nodiscard]] static double rest_of(const Braking& braking) {
+    return braking.from_m + braking.speed_mps * braking.speed_mps / (2.0 * braking.by_mps2);
+  }
+  [[nodiscard]] double profile_m(double length_m, double t_s) const;
 
   [[nodiscard]] double reached_mps(double length_m) const {
     return std::min(speed_mps_, std::sqrt(length_m * acceleration_mps2_));
@@ -100,6 +116,7 @@ class MovingReference {
   bool bounded_;
   std::uint32_t steps_ = 0;
   std::optional<Braking> braking_;
+  std::optional<Back> back_;
 };
 
 }  // namespace skein

@@ -11,6 +11,7 @@
 namespace skein::rendezvous {
 namespace {
 
+constexpr double kSeparationReserve = 1.25;
 constexpr int kHeadings = 24;
 /// m0 and m1 that are tried, in chords.
 constexpr std::array<double, 7> kChords{0.25, 0.5, 0.8, 1.2, 1.8, 2.7, 4.0};
@@ -46,7 +47,7 @@ struct Candidate {
 };
 
 template <typename Space>
-std::optional<Departure> shortest(Mission mission, AgentId self, double wanted_rad) {
+std::optional<Departure> shortest(Mission mission, AgentId self, double wanted_rad, double wanted_m) {
   std::vector<Candidate> candidates;
   std::vector<ProblemIn<Space>> problems;
   for (int k = 0; k < kHeadings; ++k) {
@@ -62,7 +63,12 @@ std::optional<Departure> shortest(Mission mission, AgentId self, double wanted_r
       }
     }
   }
-  std::ranges::stable_sort(candidates, {}, &Candidate::length_m);
+  std::ranges::stable_sort(candidates, [&](const Candidate& a, const Candidate& b) {
+    const bool a_reaches = a.length_m >= wanted_m;
+    const bool b_reaches = b.length_m >= wanted_m;
+    if (a_reaches != b_reaches) return a_reaches;
+    return a_reaches ? a.length_m < b.length_m : a.length_m > b.length_m;
+  });
   int proofs = 0;
   for (const Candidate& candidate : candidates) {
     const ProblemIn<Space>& problem = problems[static_cast<std::size_t>(candidate.heading)];
@@ -111,12 +117,29 @@ Mission revised(const Mission& mission, std::span<const Joiner> joiners, std::ui
   return next;
 }
 
+Mission with_reserve(const Mission& mission) {
+  double factor = kSeparationReserve;
+  for (const VehicleSpec& a : mission.vehicles) {
+    for (const VehicleSpec& b : mission.vehicles) {
+      const double needed_m = a.safety_radius_m + b.safety_radius_m;
+      if (a.id >= b.id || needed_m == 0.0) continue;
+      const double slots_m = (slot_pose(mission, a).position_m - slot_pose(mission, b).position_m).norm();
+      const double starts_m = (a.start.position_m - b.start.position_m).norm();
+      factor = std::min(factor, 0.999 * std::min(slots_m, starts_m) / needed_m);
+    }
+  }
+  Mission next = mission;
+  for (VehicleSpec& vehicle : next.vehicles) vehicle.safety_radius_m *= std::max(1.0, factor);
+  return next;
+}
+
 std::optional<Departure> best_departure(const Mission& mission, AgentId self, const Vec3& place_m,
-                                        std::span<const Track> obstacles) {
+                                        std::span<const Track> obstacles, double wanted_m) {
   const Mission own = alone(mission, self, place_m, obstacles);
   if (slot_pose(own, own.vehicles.front()).position_m == place_m) return std::nullopt;
   const double wanted_rad = way_to_slot(mission, self, place_m);
-  return is_planar(own) ? shortest<Planar>(own, self, wanted_rad) : shortest<Spatial>(own, self, wanted_rad);
+  return is_planar(own) ? shortest<Planar>(own, self, wanted_rad, wanted_m)
+                        : shortest<Spatial>(own, self, wanted_rad, wanted_m);
 }
 
 double clearance_m(const Mission& mission, std::span<const Track> obstacles, const Vec3& place_m) {

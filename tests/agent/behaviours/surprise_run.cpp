@@ -12,6 +12,25 @@ constexpr std::uint32_t kMaxStep = 4000;
 /// Of a multirotor that flies 9 m/s until its body touches, braking with 4 m/s2, and a step.
 constexpr double kBrakingDistance_m = 9.0 * 9.0 / 8.0 + 1.0;
 
+/// Puts an obstacle on the victim's way, as near as its own braking distance allows, and nobody else's.
+bool surprise(SwarmFlight& flight, AgentId victim, RandomStream& stream) {
+  for (int tries = 0; tries < 100; ++tries) {
+    const double radius_m = stream.uniform(0.5, 4.0);
+    const double ahead_m = kBrakingDistance_m + 0.4 + radius_m + stream.uniform(0.0, 8.0);
+    const double aside_m = stream.uniform(-0.5, 0.5) * radius_m;
+    const VehicleState& state = flight.flyer(victim).state;
+    const Vec3 along = state.velocity_mps.normalized();
+    const Vec3 place_m = state.position_m + ahead_m * along + aside_m * Vec3(-along.y(), along.x(), 0.0);
+    const bool fair = std::ranges::all_of(flight.flyers(), [&](const auto& item) {
+      return (item.second.state.position_m - place_m).norm() >= kBrakingDistance_m + 0.4 + radius_m;
+    });
+    if (!fair) continue;
+    flight.put_obstacle(place_m, radius_m);
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Mission random_mission(std::uint64_t seed) {
@@ -36,12 +55,8 @@ SurpriseRun run_surprise(std::uint64_t seed, double late) {
   const double whole_s = flight.flyer(victim).out.planned_length_m / 9.0;
   const auto when = static_cast<std::uint32_t>((0.1 + late * stream.uniform()) * whole_s / mission.step_s);
   flight.fly_until(when);
-  const double radius_m = stream.uniform(0.5, 4.0);
-  const double ahead_m = kBrakingDistance_m + 0.4 + radius_m + stream.uniform(0.0, 8.0);
-  const double aside_m = stream.uniform(-0.5, 0.5) * radius_m;
-  const VehicleState& state = flight.flyer(victim).state;
-  const Vec3 along = state.velocity_mps.normalized();
-  flight.put_obstacle(state.position_m + ahead_m * along + aside_m * Vec3(-along.y(), along.x(), 0.0), radius_m);
+  if (!surprise(flight, victim, stream)) return run;
+  run.surprised = true;
   bool before = false;
   flight.fly_until(kMaxStep, [&] {
     const bool now = flight.anyone(AgentMode::Replanning);

@@ -8,8 +8,9 @@
 namespace skein::test {
 
 struct SurpriseRun {
-  bool planned = false;   ///< on the ground
-  bool together = false;  ///< all arrived, in one step
+  bool planned = false;    ///< on the ground
+  bool surprised = false;  ///< a place for an obstacle was found
+  bool together = false;   ///< all arrived, in one step
   bool arrived = false;
   int switches = 0;  ///< to new plans
   int failures = 0;  ///< attempts without one
