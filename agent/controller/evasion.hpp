@@ -9,7 +9,8 @@
 //   3. if what is left comes nearer than 1.2 m + 0.96 s |v_o| (6 m at most) to a mover within 5 s, going straight on
 //      after the change of velocity, the velocity of least potential is taken out of a fan,
 //        |c - v| + 50 m/s * sum over movers of the largest (1 - gap / reach)^2 (1 - t / 2 H), every 5/8 s,
-//      where the gap shrinks by 0.5 m/s more, as nobody knows what it does next.
+//      where the gap shrinks by 0.5 m/s more, as nobody knows what it does next. A slow wish, v < a * 1 s, is taken to
+//      lead no farther than v / (1 - v / a) seconds: it fades out at a goal.
 // With nothing that moves in sight, and no limit from 1, the answer is what was wanted, bit by bit.
 // Source: own; the constants are tuned on random scenes (docs/safety.md). Complexity: O(movers), in 3 times fan.
 #pragma once

@@ -7,6 +7,9 @@
 namespace skein::test {
 namespace {
 
+/// What hardly moves may stand in a goal for as long as it likes.
+constexpr double kSlowest_mps = 0.5;
+
 Vec3 direction(RandomStream& random, bool planar) {
   const double angle_rad = random.uniform(0.0, math::kTwoPi);
   const double up = planar ? 0.0 : random.uniform(-1.0, 1.0);
@@ -35,7 +38,7 @@ Obstacle random_obstacle(RandomStream& random, const Loop& loop, std::uint32_t i
       clear = clear && gap_m > clear_m;
     }
   }
-  const double speed = random.uniform(0.0, speed_mps);
+  const double speed = random.uniform(kSlowest_mps, speed_mps);
   o.moves = static_cast<Moves>(random.below(3));
   o.turn_probability = loop.step_s / random.uniform(1.0, 6.0);
   const std::uint64_t points = 3 + random.below(3);

@@ -5,7 +5,7 @@
 
 namespace skein::test {
 
-/// What the guarantee is about: 1 to 8 UAVs of 10 m/s and 4 m/s2 cross 100 x 100 m among 10 obstacles of up to
+/// What the guarantee is about: 1 to 8 UAVs of 10 m/s and 4 m/s2 cross 100 x 100 m among 10 obstacles of 0.5 to
 /// `speed_mps`, radii 0.5 to 2 m, of all ways to move; sensor 24 m. Half the scenes are planar.
 [[nodiscard]] Loop random_scene(std::uint64_t seed, double speed_mps = 5.0, double sensor_m = 24.0);
 
