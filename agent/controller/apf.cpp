@@ -16,6 +16,8 @@ constexpr double kRight = 0.3;
 constexpr double kClosing_mps = 1.0;
 /// By which the reach of the repulsion from what moves is wider than that of Eq. 6.
 constexpr double kWider = 3.0;
+/// The x of Eq. 6 from which on there is no repulsion.
+constexpr double kReach = 3.0;
 
 struct Body {
   Vec3 apart_m;     ///< from it to the own place
@@ -25,16 +27,18 @@ struct Body {
 };
 
 Vec3 right_of(const Vec3& motion) {
-  const double flat = std::sqrt(motion.x() * motion.x() + motion.y() * motion.y());
-  if (flat <= 1e-3 * motion.norm()) return Vec3::UnitX();
-  return {motion.y() / flat, -motion.x() / flat, 0.0};
+  const double flat = motion.x() * motion.x() + motion.y() * motion.y();
+  if (flat <= 1e-6 * motion.squaredNorm()) return Vec3::UnitX();
+  const double size = std::sqrt(flat);
+  return {motion.y() / size, -motion.x() / size, 0.0};
 }
 
 /// The repulsion from a body, as a part of the vehicle's speed.
 Vec3 push_of(const Body& body, double horizon_s) {
-  const double distance_m = body.apart_m.norm();
+  const double apart_squared = body.apart_m.squaredNorm();
   Vec3 sum = Vec3::Zero();
-  if (distance_m < body.safe_m && distance_m > 0.0) {
+  if (apart_squared < body.safe_m * body.safe_m && apart_squared > 0.0) {
+    const double distance_m = std::sqrt(apart_squared);
     sum = (1.0 - distance_m / body.safe_m) / distance_m * body.apart_m;
   }
   const double squared = body.motion_mps.squaredNorm();
@@ -42,13 +46,15 @@ Vec3 push_of(const Body& body, double horizon_s) {
   if (closing <= 0.0 || closing >= squared * horizon_s) return sum;
   const double at_s = closing / squared;
   const Vec3 offset_m = body.apart_m + at_s * body.motion_mps;
-  const double strength = repulsion(offset_m.norm() / (body.wider * body.safe_m));
-  if (strength <= 0.0) return sum;
+  const double unit_m = body.wider * body.safe_m;  // x = 1 at this distance
+  const double offset_squared = offset_m.squaredNorm();
+  if (offset_squared >= kReach * kReach * unit_m * unit_m) return sum;
   const Vec3 aside_m = offset_m + kRight * body.safe_m * right_of(body.motion_mps);
   const double size_m = aside_m.norm();
   if (!(size_m > 0.0)) return sum;
-  const double approach = std::min(1.0, closing / (distance_m * kClosing_mps));
-  return sum + strength * (1.0 - at_s / horizon_s) * approach / size_m * aside_m;
+  const double approach = std::min(1.0, closing / (std::sqrt(apart_squared) * kClosing_mps));
+  const double strength = repulsion(std::sqrt(offset_squared) / unit_m) * (1.0 - at_s / horizon_s) * approach;
+  return sum + strength / size_m * aside_m;
 }
 
 Vec3 level(const Vec3& v) {
@@ -89,8 +95,8 @@ Vec3 attraction(const Vec3& to_goal_m, double speed_mps, double acceleration_mps
 }
 
 double repulsion(double x) {
-  if (x >= 3.0) return 0.0;
-  return x < 2.0 ? 1.0 - 0.45 * x : 0.1 * (3.0 - x);
+  if (x >= kReach) return 0.0;
+  return x < 2.0 ? 1.0 - 0.45 * x : 0.1 * (kReach - x);
 }
 
 Vec3 apf_velocity(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene, const Vec3& wish_mps) {

@@ -16,11 +16,12 @@ constexpr double kReturn_s = 0.5;    ///< in which what is too near of a standof
 constexpr int kSweeps = 2;           ///< over all movers: a bound may break an earlier one
 constexpr double kHorizon_s = 5.0;
 constexpr int kLooks = 8;  ///< within the horizon
-constexpr double kGrowth_mps = 0.5;
-constexpr double kReach_m = 6.0;
+constexpr double kGrowth_mps = 1.0;
+constexpr double kReach_m = 7.0;
 constexpr double kReachStanding = 0.2;  ///< part of the reach that one has which stands
 constexpr double kFullReach_mps = 5.0;  ///< the speed from which on it has all
-constexpr double kWeight_mps = 50.0;
+constexpr double kWeight_mps = 100.0;
+constexpr double kEndless_m = 1e9;
 constexpr double kSpeeds = 3.0;                   ///< of a direction of the fan
 constexpr double kDiagonal = 0.7071067811865476;  // sqrt(1/2)
 constexpr double kCosine = 0.9238795325112867;    // of 22.5 degrees
@@ -73,8 +74,16 @@ Vec3 held_off(const ControllerOptions& options, const VehicleSpec& spec, const s
   return wanted_mps;
 }
 
-/// The potential of what lies ahead with a velocity: 0 where nothing comes near.
-double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mover>& movers, const Vec3& tried_mps) {
+/// How far (m) a wish leads: slower than one second's acceleration it is taken to fade out at a goal (apf.hpp).
+double lead_m(const VehicleSpec& spec, const Vec3& wish_mps) {
+  const double speed_mps = wish_mps.norm();
+  const double a = spec.max_acceleration_mps2;
+  return speed_mps < a ? speed_mps / (1.0 - speed_mps / a) : kEndless_m;
+}
+
+/// The potential of what lies ahead with a velocity, held for `most_m`: 0 where nothing comes near.
+double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mover>& movers, const Vec3& tried_mps,
+              double most_m) {
   const Vec3 change_mps = tried_mps - now_mps;
   const double a = spec.max_acceleration_mps2;
   const double turn_s = a > 0.0 ? change_mps.norm() / a : 0.0;
@@ -83,6 +92,7 @@ double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mo
     const double t_s = kHorizon_s / kLooks * static_cast<double>(k + 1);
     ways_m[k] = t_s < turn_s ? Vec3(t_s * now_mps + t_s * t_s / (2.0 * turn_s) * change_mps)
                              : Vec3(t_s * tried_mps - 0.5 * turn_s * change_mps);
+    ways_m[k] = clipped(ways_m[k], most_m);
   }
   double sum = 0.0;
   for (const Mover& mover : movers) {
@@ -141,13 +151,13 @@ Vec3 evading(const ControllerOptions& options, const VehicleSpec& spec, const Sc
   if (movers.empty()) return best_mps;
   best_mps = held_off(options, spec, movers, best_mps);
   if (level) best_mps.z() = 0.0;
-  double least = kWeight_mps * threat(spec, scene.velocity_mps, movers, best_mps);
+  double least = kWeight_mps * threat(spec, scene.velocity_mps, movers, best_mps, lead_m(spec, wanted_mps));
   if (least <= 0.0) return best_mps;
   const Vec3 held_mps = best_mps;
   const auto consider = [&](const Vec3& tried_mps) {
     const double off = (tried_mps - held_mps).norm();
     if (off >= least) return;
-    const double potential = off + kWeight_mps * threat(spec, scene.velocity_mps, movers, tried_mps);
+    const double potential = off + kWeight_mps * threat(spec, scene.velocity_mps, movers, tried_mps, kEndless_m);
     if (potential >= least) return;
     least = potential;
     best_mps = tried_mps;

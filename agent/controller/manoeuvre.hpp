@@ -53,8 +53,12 @@ struct Manoeuvre {
   if (m.speed_mps > 0.0) m.direction = v1_mps / m.speed_mps;
   const double braking_m = braking_distance_m(brakes, m.speed_mps);
   m.end_m = m.turn_m + braking_m * m.direction;
-  const double way = way_m.norm();
-  if (inert) m.bow_m = way > 0.0 ? way_m.cross(change_mps).norm() / way * dt_s / 8.0 : change_mps.norm() * dt_s / 8.0;
+  const double way_squared = way_m.squaredNorm();
+  if (inert) {
+    const double across =
+        way_squared > 0.0 ? std::sqrt(way_m.cross(change_mps).squaredNorm() / way_squared) : change_mps.norm();
+    m.bow_m = across * dt_s / 8.0;
+  }
   m.length_m = 0.5 * dt_s * ((v1_mps - change_mps).norm() + m.speed_mps) + braking_m;
   m.steps = 1.0 + braking_steps(brakes, m.speed_mps);
   return m;

@@ -1,5 +1,6 @@
 #include "tests/agent/controller/closed_loop.hpp"
 
+#include "planner/core/geometry/distance.hpp"
 #include "planner/core/math/det_math.hpp"
 
 namespace skein::test {
@@ -70,7 +71,7 @@ Steering Loop::command(std::size_t n) const {
     if (apart_m.norm() - o.track.radius_m <= options.sensor_range_m) tracks.push_back(o.track);
   }
   const std::vector<Neighbour> neighbours = neighbours_of(n);
-  const Scene scene{flyer.state.position_m, flyer.state.velocity_mps, neighbours, tracks, {}};
+  const Scene scene{flyer.state.position_m, flyer.state.velocity_mps, neighbours, tracks, zones};
   const VelocityController controller(options, flyer.spec, step_s, peer_range_m);
   return controller.command(
       scene, attraction(flyer.goal_m - flyer.state.position_m, flyer.spec.speed_mps, flyer.spec.max_acceleration_mps2));
@@ -85,6 +86,18 @@ void Loop::check(std::size_t n, const Motion& motion, bool still, Tally& tally) 
     const bool touches = gap_m < 0.0;
     if (touches && !touching_[n][k]) ++(still ? tally.rammed_at_rest : tally.collisions);
     touching_[n][k] = touches;
+  }
+  for (const ZoneShape& zone : zones) {
+    double gap_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < kMotionPoints; ++i) {
+      gap_m = std::min(gap_m, std::visit(
+                                  [&](const auto& shape) {
+                                    return signed_distance(motion.points_m[i - 1], motion.points_m[i], shape);
+                                  },
+                                  zone));
+    }
+    tally.collisions += gap_m < flyers[n].spec.radius_m ? 1 : 0;
+    tally.least_m = std::min(tally.least_m, gap_m - flyers[n].spec.radius_m);
   }
 }
 

@@ -39,7 +39,7 @@ struct Flyer {
 };
 
 struct Tally {
-  int collisions = 0;       ///< beginnings of contact with an obstacle, moving
+  int collisions = 0;       ///< beginnings of contact with an obstacle, moving; steps in contact with a zone
   int peer_collisions = 0;  ///< beginnings of contact of two UAVs
   int rammed_at_rest = 0;
   int arrived = 0;
@@ -60,6 +60,7 @@ struct Loop {
   std::uint64_t seed = 0;
   std::vector<Flyer> flyers;
   std::vector<Obstacle> obstacles;
+  std::vector<ZoneShape> zones;  ///< known to all; to touch one counts as a collision
 
   /// Until all have arrived, or for so long.
   Tally run(double limit_s);

@@ -7,6 +7,9 @@
 namespace skein::test {
 namespace {
 
+/// What hardly moves may stand in a goal for as long as it likes.
+constexpr double kSlowest_mps = 0.5;
+
 Vec3 direction(RandomStream& random, bool planar) {
   const double angle_rad = random.uniform(0.0, math::kTwoPi);
   const double up = planar ? 0.0 : random.uniform(-1.0, 1.0);
@@ -35,7 +38,7 @@ Obstacle random_obstacle(RandomStream& random, const Loop& loop, std::uint32_t i
       clear = clear && gap_m > clear_m;
     }
   }
-  const double speed = random.uniform(0.0, speed_mps);
+  const double speed = random.uniform(kSlowest_mps, speed_mps);
   o.moves = static_cast<Moves>(random.below(3));
   o.turn_probability = loop.step_s / random.uniform(1.0, 6.0);
   const std::uint64_t points = 3 + random.below(3);
@@ -52,16 +55,8 @@ void add_flyer(Loop& loop, const Vec3& start_m, const Vec3& goal_m) {
   loop.flyers.push_back(f);
 }
 
-}  // namespace
-
-Loop random_scene(std::uint64_t seed, double speed_mps, double sensor_m) {
-  RandomStream random(seed, 0, Purpose::Test, 1);
-  Loop loop;
-  loop.seed = seed;
-  loop.options.sensor_range_m = sensor_m;
-  loop.options.obstacle_speed_mps = speed_mps;
-  if (seed % 2 == 1) loop.high_m.z() = 30.0;
-  const std::uint64_t uavs = 1 + random.below(8);
+/// UAVs that cross the area, starts and goals apart.
+void add_crossing(RandomStream& random, Loop& loop, std::uint64_t uavs) {
   while (loop.flyers.size() < uavs) {
     const Vec3 start_m = place(random, loop.low_m, loop.high_m);
     const Vec3 goal_m = place(random, loop.low_m, loop.high_m);
@@ -71,7 +66,53 @@ Loop random_scene(std::uint64_t seed, double speed_mps, double sensor_m) {
     });
     if (clear) add_flyer(loop, start_m, goal_m);
   }
+}
+
+}  // namespace
+
+Loop random_scene(std::uint64_t seed, double speed_mps, double sensor_m) {
+  RandomStream random(seed, 0, Purpose::Test, 1);
+  Loop loop;
+  loop.seed = seed;
+  loop.options.sensor_range_m = sensor_m;
+  loop.options.obstacle_speed_mps = speed_mps;
+  if (seed % 2 == 1) loop.high_m.z() = 30.0;
+  add_crossing(random, loop, 1 + random.below(8));
   for (std::uint32_t n = 1; n <= 10; ++n) loop.obstacles.push_back(random_obstacle(random, loop, n, speed_mps, 10.0));
+  return loop;
+}
+
+Loop static_scene(std::uint64_t seed) {
+  RandomStream random(seed, 0, Purpose::Test, 3);
+  Loop loop;
+  loop.seed = seed;
+  loop.options.sensor_range_m = 24.0;
+  add_crossing(random, loop, 6);
+  const auto clear = [&](const Vec3& place_m) {
+    return std::ranges::all_of(loop.flyers, [&](const Flyer& f) {
+      return (f.state.position_m - place_m).norm() > 8.0 && (f.goal_m - place_m).norm() > 8.0;
+    });
+  };
+  while (loop.obstacles.size() + loop.zones.size() < 10) {
+    const Vec3 place_m = place(random, loop.low_m, loop.high_m);
+    const double size_m = random.uniform(1.0, 4.0);
+    if (!clear(place_m)) continue;
+    const std::uint64_t kind = random.below(4);
+    if (kind == 0) {
+      loop.zones.emplace_back(Cylinder{place_m.head<2>(), size_m});
+    } else if (kind == 1) {
+      const Vec3 half_m(size_m, random.uniform(1.0, 4.0), 50.0);
+      loop.zones.emplace_back(Box{place_m - half_m, place_m + half_m});
+    } else {
+      Obstacle o;
+      o.track.id = static_cast<std::uint32_t>(loop.obstacles.size() + 1);
+      o.track.position_m = place_m;
+      o.track.radius_m = size_m;
+      o.track.column = kind == 2;
+      o.track.fixed = true;
+      loop.obstacles.push_back(o);
+    }
+  }
   return loop;
 }
 
