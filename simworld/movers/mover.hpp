@@ -53,6 +53,7 @@ using MoverMotion = std::variant<StillMotion, LineMotion, LoopMotion, WalkMotion
 struct AheadOf {
   AgentId agent = 0;        ///< 0: one that is drawn by the seed
   double distance_m = 0.0;  ///< in front of the UAV, centre to centre
+  bool crosses = false;     ///< it comes from the side, level, so that it would meet the UAV there
 
   bool operator==(const AheadOf&) const = default;
 };

@@ -87,7 +87,17 @@ bool Movers::place(MoverRecord& mover, std::span<const Bystander> vehicles) cons
   if (mover.spec.column) course.z() = 0.0;
   const double speed_mps = course.norm();
   if (speed_mps < kLeastCourse_mps) return false;
-  mover.position_m = target->position_m + (ahead.distance_m / speed_mps) * course;
+  const double meeting_s = ahead.distance_m / speed_mps;
+  mover.position_m = target->position_m + meeting_s * course;
+  if (!ahead.crosses) return true;
+  const Vec2 level_mps = course.head<2>();
+  if (level_mps.norm() < kLeastCourse_mps) return false;
+  RandomStream stream(seed_, mover.id, Purpose::Mover, 0);
+  (void)stream.next();  // that of the UAV
+  const double side = stream.uniform() < 0.5 ? 1.0 : -1.0;
+  const Vec2 across = side / level_mps.norm() * Vec2(-level_mps.y(), level_mps.x());
+  mover.velocity_mps = speed_of(mover.spec) * Vec3(across.x(), across.y(), 0.0);
+  mover.position_m -= meeting_s * mover.velocity_mps;
   return true;
 }
 
@@ -109,7 +119,9 @@ void Movers::start(MoverRecord& mover, std::uint32_t step) const {
   mover.present = true;
   mover.appeared_step = step;
   mover.before_m = mover.position_m;
-  if (const auto* line = std::get_if<LineMotion>(&mover.spec.motion)) mover.velocity_mps = line->velocity_mps;
+  const bool crosses = mover.spec.ahead && mover.spec.ahead->crosses;
+  const auto* line = std::get_if<LineMotion>(&mover.spec.motion);
+  if (line != nullptr && !crosses) mover.velocity_mps = line->velocity_mps;
   if (const auto* loop = std::get_if<LoopMotion>(&mover.spec.motion)) {
     const Vec3 leg_m = loop->waypoints_m[1] - loop->waypoints_m[0];
     mover.velocity_mps = leg_m * (loop->speed_mps / leg_m.norm());

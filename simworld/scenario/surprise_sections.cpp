@@ -11,11 +11,11 @@
 namespace skein::scenario {
 namespace {
 
-constexpr Keys kMover[] = {"x_m",       "y_m",    "z_m",    "radius_m", "vx_mps",   "vy_mps", "vz_mps", "waypoints",
-                           "speed_mps", "turn_s", "within", "at_s",     "at_max_s", "near_m", "ahead"};
+constexpr Keys kMover[] = {"x_m",       "y_m",       "z_m",    "radius_m", "vx_mps", "vy_mps", "vz_mps",
+                           "waypoints", "speed_mps", "turn_s", "within",   "at_s",   "near_m", "ahead"};
 constexpr Keys kPoint[] = {"x_m", "y_m", "z_m"};
 constexpr Keys kBox[] = {"x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m", "z_max_m"};
-constexpr Keys kAhead[] = {"agent", "distance_m", "at_s", "at_max_s", "column"};
+constexpr Keys kAhead[] = {"agent", "distance_m", "at_s", "at_latest_s", "column", "crossing_mps"};
 constexpr Keys kAnnounced[] = {"x_m",     "y_m",    "radius_m", "x_min_m", "y_min_m", "x_max_m", "y_max_m", "z_min_m",
                                "z_max_m", "from_s", "to_s",     "early_s", "late_s",  "clear_s", "aircraft"};
 constexpr Keys kAircraft[] = {"radius_m", "from", "to"};
@@ -26,7 +26,6 @@ constexpr Limits kTime{0, 1e7, "s"};
 constexpr std::size_t kMaxMovers = 256;    // as many tracks as a sense sample holds
 constexpr std::size_t kMaxAnnounced = 64;  // as many states
 constexpr std::size_t kMaxWaypoints = 256;
-constexpr std::size_t kFirstTime = 4;  // index of the first stream of times
 
 constexpr auto kControllerKeys = [] {
   std::array<Keys, kControllerFields.size()> keys{"name"};
@@ -60,23 +59,19 @@ MoverMotion read_motion(const MapReader& item, const Mover& mover, const std::op
     if (mover.ahead) item.refuse("waypoints", "no loop with ahead");
     return read_loop(item, mover);
   }
+  if (mover.ahead && mover.ahead->crosses) {
+    return LineMotion{Vec3(item.map("ahead", kAhead, true).number("crossing_mps", kSpeed), 0.0, 0.0)};
+  }
   if (item.find("turn_s") == nullptr) return StillMotion{};
   WalkMotion walk{item.number("speed_mps", kSpeed), item.number("turn_s", {1e-3, 1e6, "s"}), {}};
   walk.within = item.find("within") == nullptr && area ? *area : read_box(item.map("within", kBox, true));
   return walk;
 }
 
-/// A time, or one that the seed draws between two. @param number of the mover, from 0: it has a stream of its own
-double read_time(const MapReader& map, std::optional<double> fallback, std::uint64_t seed, std::size_t number) {
-  const double from_s = map.number("at_s", kTime, fallback);
-  if (map.find("at_max_s") == nullptr) return from_s;
-  const double to_s = map.number("at_max_s", {from_s, kTime.max, "s"});
-  return RandomStream(seed, kWorldId, Purpose::Layout, kFirstTime + number).uniform(from_s, to_s);
-}
-
-void read_ahead(const MapReader& item, const Mission& mission, std::size_t number, Mover& mover) {
+/// @param index of the mover: of the stream from which its moment is drawn
+void read_ahead(const MapReader& item, const Mission& mission, std::size_t index, Mover& mover) {
   const MapReader map = item.map("ahead", kAhead, true);
-  for (const Keys key : {"x_m", "y_m", "z_m", "at_s", "at_max_s", "near_m"}) {
+  for (const Keys key : {"x_m", "y_m", "z_m", "at_s", "near_m"}) {
     if (item.find(key) != nullptr) item.refuse(key, "no such key beside ahead");
   }
   AheadOf ahead{static_cast<AgentId>(map.whole("agent", 0, kMaxAgents, 0)), map.number("distance_m", kExtent)};
@@ -84,23 +79,29 @@ void read_ahead(const MapReader& item, const Mission& mission, std::size_t numbe
       std::ranges::find(mission.vehicles, ahead.agent, &VehicleSpec::id) == mission.vehicles.end()) {
     map.refuse("agent", "the id of a vehicle, or 0: one that the seed draws");
   }
+  ahead.crosses = map.find("crossing_mps") != nullptr;
   mover.ahead = ahead;
-  mover.at_s = read_time(map, std::nullopt, mission.seed, number);
+  mover.at_s = map.number("at_s", kTime);
+  if (map.find("at_latest_s") != nullptr) {
+    const double latest_s = map.number("at_latest_s", {mover.at_s, kTime.max, "s"});
+    RandomStream stream(mission.seed, kWorldId, Purpose::Layout, 100 + index);
+    mover.at_s = stream.uniform(mover.at_s, latest_s);
+  }
   mover.column = map.whole("column", 0, 1, 0) == 1;
 }
 
-Mover read_mover(const MapReader& item, const std::optional<Box>& area, const Mission& mission, std::size_t number) {
+Mover read_mover(const MapReader& item, const std::optional<Box>& area, const Mission& mission, std::size_t index) {
   Mover mover;
   mover.radius_m = item.number("radius_m", kExtent);
   if (item.find("ahead") != nullptr) {
-    read_ahead(item, mission, number, mover);
+    read_ahead(item, mission, index, mover);
   } else {
     mover.position_m = read_point(item);
     mover.column = item.find("z_m") == nullptr;
-    mover.at_s = read_time(item, 0.0, mission.seed, number);
+    mover.at_s = item.number("at_s", kTime, 0.0);
     mover.near_m = item.number("near_m", {0, 1e6, "m"}, 0.0);
   }
-  mover.sudden = mover.ahead || item.find("at_s") != nullptr || item.find("at_max_s") != nullptr || mover.near_m > 0.0;
+  mover.sudden = mover.ahead || item.find("at_s") != nullptr || mover.near_m > 0.0;
   mover.motion = read_motion(item, mover, area);
   return mover;
 }

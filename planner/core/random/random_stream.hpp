@@ -23,7 +23,7 @@ enum class Purpose : std::uint32_t {
   JoinedRay = 7,    ///< directions in which joined paths of a length are looked for; index: the direction
   Sensor = 20,      ///< misses and false alarms of a look; index: step * 2^32 + cell
   Layout = 21,      ///< generated scenarios, of agent 0; index: 0 a forest, 1 starts and goals, 2 movers, 3 a swap,
-                    ///< from 4 the times of sudden obstacles
+                    ///< from 100 the times of sudden obstacles
   RadioLoss = 22,   ///< whether a receiver misses a sample; agent: the sender, index: receiver, step and round
   Mover = 23,       ///< moves of an obstacle; agent: its id, index: the step, 0 for what it starts with
   Delay = 24,       ///< of what is announced, of agent 0; index: the announcement
