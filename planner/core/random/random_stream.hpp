@@ -22,7 +22,8 @@ enum class Purpose : std::uint32_t {
   JoinedAlone = 6,  ///< joined paths tried if the best particle fails the proof; index: the try
   JoinedRay = 7,    ///< directions in which joined paths of a length are looked for; index: the direction
   Sensor = 20,      ///< misses and false alarms of a look; index: step * 2^32 + cell
-  Layout = 21,      ///< generated scenarios, of agent 0; index: 0 a forest, 1 starts and goals, 2 movers, 3 a swap
+  Layout = 21,      ///< generated scenarios, of agent 0; index: 0 a forest, 1 starts and goals, 2 movers, 3 a swap,
+                    ///< from 100 the times of sudden obstacles
   RadioLoss = 22,   ///< whether a receiver misses a sample; agent: the sender, index: receiver, step and round
   Mover = 23,       ///< moves of an obstacle; agent: its id, index: the step, 0 for what it starts with
   Delay = 24,       ///< of what is announced, of agent 0; index: the announcement

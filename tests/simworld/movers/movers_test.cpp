@@ -186,6 +186,27 @@ TEST(Movers, OfAheadTheSeedDrawsAUavAndNoGoalIsBarred) {
   EXPECT_GT(drawn[1], 30);
 }
 
+TEST(Movers, CrossTheCourseSoThatTheyWouldMeetTheirUav) {
+  Mover mover = at({0, 0, 0}, LineMotion{Vec3(3, 0, 0)});
+  mover.sudden = true;
+  mover.ahead = AheadOf{3, 80.0, true};
+  int from_left = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Movers movers = one(mover, seed);
+    const Bystander vehicle = flying({5, 5, 5}, {0, 10, 0});
+    movers.open(1, std::array{vehicle});
+    const MoverRecord& record = movers.all()[0];
+    ASSERT_TRUE(record.present);
+    EXPECT_NEAR(record.velocity_mps.norm(), 3.0, 1e-12);
+    EXPECT_NEAR(record.velocity_mps.dot(vehicle.velocity_mps), 0.0, 1e-12);
+    from_left += record.position_m.x() < 5.0 ? 1 : 0;
+    for (std::uint32_t step = 1; step <= 16; ++step) movers.advance(step);
+    EXPECT_LT((record.position_m - Vec3(5, 85, 5)).norm(), 1e-9) << "8 s later both are there";
+  }
+  EXPECT_GT(from_left, 15);
+  EXPECT_LT(from_left, 45);
+}
+
 TEST(Movers, EnterTheHash) {
   const auto hash_after = [](const Mover& mover, std::uint32_t steps) {
     Movers movers = one(mover);

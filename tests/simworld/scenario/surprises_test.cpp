@@ -66,6 +66,35 @@ TEST(SurpriseSections, SuddenOnes) {
   EXPECT_EQ(only_mover("sudden_obstacles", "{radius_m: 2, ahead: {distance_m: 60, at_s: 9}}").ahead->agent, 0U);
 }
 
+TEST(SurpriseSections, TheSeedDrawsTimesOfAhead) {
+  const Overrides timed{
+      kSensor,
+      {"sudden_obstacles",
+       "[{radius_m: 2, ahead: {distance_m: 60, at_s: 5, at_latest_s: 25}}, {radius_m: 2, ahead: {distance_m: 60, at_s: "
+       "5, at_latest_s: 25}}]"}};
+  const Scenario first = small_with(timed);
+  double least_s = 25.0;
+  double most_s = 5.0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const std::vector<Mover> movers = scenario_of(with_seed(first, seed)).world.surprises.movers;
+    ASSERT_EQ(movers.size(), 2U);
+    EXPECT_NE(movers[0].at_s, movers[1].at_s);
+    least_s = std::min(least_s, movers[0].at_s);
+    most_s = std::max(most_s, movers[0].at_s);
+  }
+  EXPECT_GE(least_s, 5.0);
+  EXPECT_LT(least_s, 7.0);
+  EXPECT_GT(most_s, 23.0);
+  EXPECT_LE(most_s, 25.0);
+}
+
+TEST(SurpriseSections, CrossingOnesMove) {
+  const Mover mover =
+      only_mover("moving_obstacles", "{radius_m: 2, ahead: {distance_m: 60, at_s: 5, crossing_mps: 4}}");
+  EXPECT_TRUE(mover.ahead->crosses);
+  EXPECT_EQ(speed_of(mover), 4.0);
+}
+
 TEST(SurpriseSections, RandomOnesFollowTheSeedAndKeepClear) {
   const Overrides crowd{kSensor,
                         {"random_obstacles",
