@@ -18,6 +18,8 @@ constexpr double kPromise = 0.98;
 /// Within which every live peer is heard: a rendezvous has no radio of limited range.
 constexpr double kPeerRange_m = 1e6;
 constexpr std::size_t kMostKnown = 64;
+/// Room that a constant-speed vehicle needs beyond the switch to turn away from what is ahead, in turning radii.
+constexpr double kTurnAway_radii = 1.5;
 /// Until a multirotor stands after it has braked.
 constexpr double kSettle_s = 1.5;
 /// By how much more of the way each failure lets all draw back, so that more lengths are in reach.
@@ -250,7 +252,8 @@ void UnderWay::aim(const Tick& tick) {
 void UnderWay::wait_circling(const Tick& tick) {
   const std::vector<Track> obstacles = this->obstacles();
   if (accepted_) {
-    const double until_m = (replanning_.switch_step() - tick.step + 1) * spec_.speed_mps * mission_.step_s;
+    const double until_m = (replanning_.switch_step() - tick.step + 1) * spec_.speed_mps * mission_.step_s +
+                           kTurnAway_radii / spec_.max_curvature_per_m;
     const double keep_out_m = spec_.radius_m + mission_.planner.clearance_margin_m;
     const bool clear = std::ranges::none_of(obstacles, [&](const Track& track) {
       return blocks(plan_->path, plan_->follower.next_m(), track, keep_out_m, plan_->follower.next_m() + until_m);
@@ -258,11 +261,22 @@ void UnderWay::wait_circling(const Tick& tick) {
     if (clear) return;
     accepted_ = false;
   }
+  turn_rad_ = std::fabs(turn_rad_);
+  if (circle_room_m(obstacles, -1.0) > circle_room_m(obstacles, 1.0)) turn_rad_ = -turn_rad_;
+}
+
+/// The least distance (m) of a full circle to the left (1) or right (-1) to what is known.
+double UnderWay::circle_room_m(std::span<const Track> obstacles, double side) const {
+  constexpr int kPlaces = 32;
   const Vec2 along = direction_of_heading(sense_.pose.heading_rad);
-  const Vec3 left_m = Vec3(-along.y(), along.x(), 0.0) / spec_.max_curvature_per_m;
-  const double left_room_m = rendezvous::clearance_m(mission_, obstacles, sense_.pose.position_m + left_m);
-  const double right_room_m = rendezvous::clearance_m(mission_, obstacles, sense_.pose.position_m - left_m);
-  turn_rad_ = left_room_m >= right_room_m ? std::fabs(turn_rad_) : -std::fabs(turn_rad_);
+  const Vec2 out_m = side / spec_.max_curvature_per_m * Vec2(along.y(), -along.x());  // from the centre to where it is
+  double least_m = 1e6;
+  for (int k = 0; k < kPlaces; ++k) {
+    const Vec2 aside_m = rotated(out_m, side * math::kTwoPi * k / kPlaces) - out_m;
+    const Vec3 there_m = sense_.pose.position_m + Vec3(aside_m.x(), aside_m.y(), 0.0);
+    least_m = std::min(least_m, rendezvous::clearance_m(mission_, obstacles, there_m));
+  }
+  return least_m;
 }
 
 Revision UnderWay::revision(const Tick& tick, SafetyReason reason) const {

@@ -69,6 +69,7 @@ class UnderWay {
   void brake_at_once();
   void draw_back();
   void wait_circling(const Tick& tick);
+  [[nodiscard]] double circle_room_m(std::span<const Track> obstacles, double side) const;
   [[nodiscard]] Pose pose_at_switch(const Tick& tick) const;
   [[nodiscard]] Vec3 wish();
   void fly(const Tick& tick, RoundOutput& out);
