@@ -1,8 +1,9 @@
 #include "agent/behaviours/straight.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
+
+#include "agent/controller/apf.hpp"
 
 namespace skein {
 namespace {
@@ -36,14 +37,6 @@ StraightBehaviour::StraightBehaviour(const Mission& mission, AgentId self)
   last_.planned_length_m = nearest_m_;
 }
 
-Vec3 StraightBehaviour::attraction_mps(const Vec3& position_m) const {
-  const Vec3 way_m = goal_m_ - position_m;
-  const double d = way_m.norm();
-  if (d == 0.0) return Vec3::Zero();
-  const double speed_mps = std::min({own_.speed_mps, std::sqrt(own_.max_acceleration_mps2 * d), 0.5 * d / step_s_});
-  return speed_mps / d * way_m;
-}
-
 RoundOutput StraightBehaviour::on_round(const RoundInput& input) {
   if (input.tick.phase == Phase::Planning) {
     last_.mode = AgentMode::Ready;
@@ -56,7 +49,7 @@ RoundOutput StraightBehaviour::on_round(const RoundInput& input) {
 
 void StraightBehaviour::fly(const Tick& tick, const Sense& sense) {
   surroundings_.look(tick, sense);
-  const Vec3 wish_mps = attraction_mps(sense.pose.position_m);
+  const Vec3 wish_mps = attraction(goal_m_ - sense.pose.position_m, own_.speed_mps, own_.max_acceleration_mps2);
   const Steering steering = controller_.command(surroundings_.scene(), wish_mps);
   Situation now = surroundings_.situation(wish_mps);
   now.steering = steering;

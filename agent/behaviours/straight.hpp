@@ -4,11 +4,9 @@
 //   planning  Ready: there is nothing to plan before               nothing    nothing
 //   flying    Flying; Arrived; Deadlock: no progress for so long   nothing    the controller's velocity
 //   finished  as before                                            nothing    nothing
-// The goal attracts with the speed v(d) = min(v_max, sqrt(a d), d / 2 dt) of the distance d: constant far away, and
-// with half the acceleration to rest at it. It is progress to come `goal_radius_m` nearer than ever; who waits for a
-// zone to be confirmed loses no patience. Source: papers/002, Eq. 4 (constant, then linear). Departs from source: the
-// speed falls by its root, so that a vehicle with inertia neither overshoots nor creeps. Complexity: a step of the
-// controller.
+// The goal attracts (agent/controller/apf.hpp). It is progress to come `goal_radius_m` nearer than ever; who waits for
+// a zone to be confirmed loses no patience. Source: papers/002, Eq. 4. Departs from source: none beyond the
+// controller's. Complexity: a step of the controller.
 #pragma once
 
 #include "agent/behaviours/behaviour.hpp"
@@ -29,7 +27,6 @@ class StraightBehaviour final : public Behaviour {
  private:
   void fly(const Tick& tick, const Sense& sense);
   void note_progress(double to_go_m, bool waits);
-  [[nodiscard]] Vec3 attraction_mps(const Vec3& position_m) const;
 
   VehicleSpec own_;
   Vec3 goal_m_;

@@ -1,0 +1,139 @@
+// What nobody planned for, on whole swarms: nothing is touched, all arrive, in a rendezvous in the same step, and
+// nobody is where an announced aircraft may be. SKEIN_SEEDS sets how many seeds each campaign flies (default: a tenth).
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "groundstation/inprocess/in_process.hpp"
+#include "tests/groundstation/crossings.hpp"
+
+namespace skein {
+namespace {
+
+using test::count_status;
+using test::transit_scenario;
+using Json = nlohmann::ordered_json;
+
+std::uint64_t seeds_or(std::uint64_t few) {
+  const char* set = std::getenv("SKEIN_SEEDS");
+  return set == nullptr ? few : std::strtoull(set, nullptr, 10);
+}
+
+Json fly(const std::string& name, std::uint64_t seed, const std::vector<Override>& changes = {}) {
+  return run_in_process(transit_scenario(name, seed, changes), {}).report;
+}
+
+/// Nobody touched anything, at rest or not.
+void expect_untouched(const Json& report, std::uint64_t seed) {
+  ASSERT_EQ(report.at("collisions"), 0) << seed << ": " << report.at("reason");
+  ASSERT_EQ(report.at("rammed_at_rest"), 0) << seed << ": " << report.at("reason");
+}
+
+std::set<std::uint32_t> arrival_steps(const Json& report) {
+  std::set<std::uint32_t> steps;
+  for (const auto& vehicle : report.at("vehicles")) {
+    if (vehicle.at("status") == "arrived") steps.insert(vehicle.at("arrival_step").get<std::uint32_t>());
+  }
+  return steps;
+}
+
+std::size_t count_replans(const Json& report, const std::string& reason) {
+  std::size_t count = 0;
+  for (const auto& replan : report.at("replans")) {
+    count += replan.at("reason") == reason && replan.at("outcome") == "switched" ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Surprises, ARendezvousPlansAnewAndArrivesInTheSameStep) {
+  const std::uint64_t seeds = seeds_or(100);
+  std::size_t together = 0;
+  std::size_t replanned = 0;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const Json report = fly("rendezvous-surprise", seed);
+    expect_untouched(report, seed);
+    ASSERT_FALSE(report.at("reason").get<std::string>().empty());
+    together += report.at("exit_code") == 0 && arrival_steps(report).size() == 1 ? 1 : 0;
+    replanned += count_replans(report, "blocked") > 0 ? 1 : 0;
+  }
+  EXPECT_GE(together, seeds - seeds / 100);
+  EXPECT_GT(replanned, seeds * 9 / 10) << "the surprise must matter";
+}
+
+TEST(Surprises, WithoutReplanningNobodyGetsPastWhatStands) {
+  // An artificial potential field alone may slide by, but late: the others have arrived long before.
+  std::size_t together = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Json report = fly("rendezvous-surprise", seed, {{"planner.replan", "0"}});
+    expect_untouched(report, seed);
+    together += report.at("exit_code") == 0 ? 1 : 0;
+  }
+  EXPECT_LT(together, 15U);
+}
+
+TEST(Surprises, ASwarmWithASlowVehicleArrivesTogether) {
+  for (std::uint64_t seed = 0; seed < seeds_or(10); ++seed) {
+    const Json report = fly("rendezvous-slow", seed);
+    EXPECT_EQ(report.at("exit_code"), 0) << seed << ": " << report.at("reason");
+    EXPECT_EQ(arrival_steps(report).size(), 1U) << seed;
+    EXPECT_GE(count_replans(report, "deviation"), 1U) << seed;
+    bool noticed = false;
+    for (const auto& event : report.at("events")) {
+      noticed = noticed || (event.at("agent") == 2 && event.at("reason") == "deviation");
+    }
+    EXPECT_TRUE(noticed) << "by the monitor of the slow one, seed " << seed;
+  }
+}
+
+TEST(Surprises, InScenesInsideTheGuaranteeNothingIsTouchedInMotion) {
+  const std::uint64_t seeds = seeds_or(100);
+  std::size_t rammed = 0;
+  std::size_t arrived = 0;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const Json report = fly("random-scenes", seed);
+    ASSERT_EQ(report.at("collisions"), 0) << seed << ": " << report.at("reason");
+    rammed += report.at("rammed_at_rest") > 0 ? 1 : 0;
+    arrived += count_status(report, "arrived");
+  }
+  EXPECT_LE(rammed, seeds / 100);
+  EXPECT_GE(arrived, 4 * seeds - 4 * rammed);
+}
+
+class Crossing : public testing::TestWithParam<const char*> {};
+
+TEST_P(Crossing, AllSwapPlaces) {
+  for (std::uint64_t seed = 0; seed < seeds_or(10); ++seed) {
+    const Json report = fly("swarm-crossing", seed, {{std::string(kAgentsFlag), GetParam()}});
+    expect_untouched(report, seed);
+    EXPECT_EQ(report.at("exit_code"), 0) << seed << ": " << report.at("reason");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Crossing, testing::Values("4", "8", "16", "32", "64"),
+                         [](const auto& agents) { return std::string(agents.param); });
+
+TEST(Surprises, NobodyIsInAZoneThatIsOccupiedOrNotConfirmed) {
+  std::size_t waited = 0;
+  for (std::uint64_t seed = 0; seed < seeds_or(10); ++seed) {
+    const Json report = fly("airport", seed);
+    expect_untouched(report, seed);
+    EXPECT_EQ(report.at("zone_entries"), 0) << seed;
+    EXPECT_EQ(report.at("exit_code"), 0) << seed << ": " << report.at("reason");
+    for (const auto& event : report.at("events")) waited += event.at("reason") == "unconfirmed" ? 1 : 0;
+  }
+  EXPECT_GT(waited, 0U) << "the announcements must matter";
+}
+
+TEST(Surprises, AnAgentThatCameBackTakesPartInTheNextPlan) {
+  const Scenario scenario = transit_scenario("rendezvous-surprise", 4);
+  InProcessOptions options;
+  options.replay = {{300, 355, 2, 1, LossReason::ProcessEnded}, {300, 355, 2, 2, LossReason::Rejoined}};
+  const Json report = run_in_process(scenario, options).report;
+  EXPECT_EQ(count_status(report, "arrived"), 3U) << report.at("reason");
+  EXPECT_EQ(arrival_steps(report).size(), 1U);
+  EXPECT_GE(count_replans(report, "no_plan"), 1U);
+}
+
+}  // namespace
+}  // namespace skein
