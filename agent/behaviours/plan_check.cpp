@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kStep_m = 0.25;      ///< least distance of two places at which a path is looked at
 constexpr double kSlow_s = 1.0;       ///< without becoming faster
+constexpr double kFar_limits = 2.0;   ///< beyond which nothing excuses
 constexpr double kLate_s = 0.5;       ///< too late
 constexpr double kSame_part = 0.02;   ///< of a speed: no difference
 constexpr double kAllowance_s = 3.0;  ///< in which the end of the way is caught up by slowing down later
@@ -63,7 +64,8 @@ bool LateWatch::note(const Lateness& now) {
   const bool in_time = now.deviation_m <= now.spare_mps * (now.left_s + kAllowance_s);
   const bool late = catches_up ? !in_time : now.deviation_m > now.limit_m;
   before_m_ = now.deviation_m;
-  steps_ = late && !now.held_off ? steps_ + 1 : 0;
+  const bool excused = now.held_off && now.deviation_m <= kFar_limits * now.limit_m;
+  steps_ = late && !excused ? steps_ + 1 : 0;
   return steps_ >= needed_;
 }
 

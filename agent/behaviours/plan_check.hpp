@@ -3,7 +3,8 @@
 //   blocked   a fixed obstacle lies within its radius + the UAV's + the margin of the part of the path to come
 //   slow      for a while it has not become faster although more was commanded: its speed then is what it can keep
 //   late      it is farther from the moving reference than the limit, or than it can catch up until the end, while
-//             nothing holds it off, for several steps in a row. Who catches up in time is not late
+//             nothing holds it off, for several steps in a row; than twice the limit even then. Who catches up in time
+//             is not late
 // Source: papers/000, Fig. 1c, for the vehicle that is slower than planned. Departs from source: own definitions.
 // Complexity: blocked O(length / distance to the obstacle), the others O(1) a step.
 #pragma once

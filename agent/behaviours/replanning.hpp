@@ -4,7 +4,7 @@
 //   Idle      the agent wants a plan (flight rounds only)     call: a revision      Called
 //   any       a call of the round before is heard, its own    join: a revision      Joined
 //             included: its round is the attempt's number
-//   Joined    the next: who joined is known, and the         its revision          Aiming
+//   Joined    the next: who joined is known, and the          its revision          Aiming
 //             longest of the shortest ways to come
 //   Aiming    one after the other, the longest way first      its revision, from    Aiming
 //                                                             its turn on final

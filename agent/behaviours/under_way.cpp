@@ -42,6 +42,7 @@ UnderWay::UnderWay(const Mission& mission, AgentId self)
       self_(self),
       spec_(vehicle_of(mission_, self)),
       controller_(mission.controller, spec_, mission.step_s, kPeerRange_m),
+      top_mps_(spec_.speed_mps),
       replanning_(mission_, self),
       speed_(mission.step_s),
       late_(mission.step_s),
@@ -49,7 +50,7 @@ UnderWay::UnderWay(const Mission& mission, AgentId self)
       turn_rad_(spec_.max_curvature_per_m * spec_.speed_mps * mission.step_s) {}
 
 void UnderWay::take_off(const rendezvous::Planner& planner) {
-  set_plan(planner, spec_.speed_mps, {});
+  set_plan(planner, top_mps_, {});
 }
 
 void UnderWay::set_plan(const rendezvous::Planner& planner, double speed_mps, std::span<const Track> avoided) {
@@ -87,9 +88,9 @@ void UnderWay::sense(const Tick& tick, const Sense& sense) {
     if (place == heard_.end() || *place != peer.agent) heard_.insert(place, peer.agent);
   }
   if (!hovers()) return;
-  const double commanded_mps = std::min(steering_.velocity_mps.norm(), spec_.speed_mps);
+  const double commanded_mps = std::min(steering_.velocity_mps.norm(), top_mps_);
   const double reached_mps = sense.velocity_mps.norm();
-  speed_.note(reached_mps, commanded_mps < 0.5 * spec_.speed_mps ? reached_mps : commanded_mps);
+  speed_.note(reached_mps, commanded_mps < 0.5 * top_mps_ ? reached_mps : commanded_mps);
 }
 
 /// What peers know is known to all.
@@ -174,7 +175,7 @@ std::optional<SafetyReason> UnderWay::wants() {
   Lateness now;
   now.deviation_m = (there_m - sense_.pose.position_m).norm();
   now.limit_m = mission_.controller.deviation_m;
-  now.spare_mps = speed_.limit_mps().value_or(spec_.speed_mps) - reference.cruise_mps();
+  now.spare_mps = std::min(top_mps_, speed_.limit_mps().value_or(top_mps_)) - reference.cruise_mps();
   now.left_s = reference.whole_s(length_m) - reference.now_s();
   now.held_off = steering_.repelled || steering_.overruled || steering_.braking;
   if (late_.note(now)) return SafetyReason::Deviation;
@@ -284,7 +285,7 @@ Revision UnderWay::revision(const Tick& tick, SafetyReason reason) const {
   own.reason = reason;
   own.pose = sense_.pose;
   if (replanning_.engaged()) own.pose = hovers() ? waiting_.value().pose : pose_at_switch(tick);
-  own.speed_mps = spec_.speed_mps;
+  own.speed_mps = top_mps_;
   if (speed_.limit_mps()) own.speed_mps = std::min(own.speed_mps, kPromise * *speed_.limit_mps());
   own.obstacles = obstacles();
   if (own.obstacles.size() > kMostKnown) own.obstacles.resize(kMostKnown);

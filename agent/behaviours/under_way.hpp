@@ -83,6 +83,7 @@ class UnderWay {
   AgentId self_;
   VehicleSpec spec_;
   VelocityController controller_;
+  double top_mps_;  ///< what it may fly: its speed, or what its sensor carries if that is less
   Replanning replanning_;
   SpeedWatch speed_;
   LateWatch late_;

@@ -66,14 +66,14 @@ Vec3 UnderWay::wish() {
     const MovingReference::Command command = plan_->reference.command(path.length_m(), position_at, pose.position_m);
     const double off_m = (slot_pose(mission_, spec_).position_m - pose.position_m).norm();
     arrived_ = arrived_ || (!waiting_ && command.path_flown && off_m <= mission_.arrival_radius_m);
-    return clipped(command.velocity_mps, spec_.speed_mps);
+    return clipped(command.velocity_mps, top_mps_);
   }
   if (!waiting_) {
     const std::vector<Track> known = obstacles();
     waiting_ = place_off_path({mission_, self_, known}, pose.position_m, sense_.velocity_mps);
   }
   reference_m_ = waiting_->pose.position_m;
-  return clipped(hold_.towards(*reference_m_, pose.position_m), spec_.speed_mps);
+  return clipped(hold_.towards(*reference_m_, pose.position_m), top_mps_);
 }
 
 std::vector<Neighbour> UnderWay::neighbours() const {

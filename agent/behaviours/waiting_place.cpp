@@ -86,13 +86,24 @@ struct Chooser {
     return {
         {levelled(path.position_at(at_m)), heading_of(direction.head<2>()), 0.0}, path.length_m() - at_m, std::nullopt};
   }
+  /// Whether a straight flight comes no nearer to a peer than it is or may be.
+  [[nodiscard]] bool passes_peers(const Vec3& from_m, const Vec3& to_m) const {
+    const double length_m = (to_m - from_m).norm();
+    double before_m = too_near_m(from_m);
+    for (double s_m = kSample_m; s_m < length_m; s_m += kSample_m) {
+      const double near_m = too_near_m(from_m + s_m / length_m * (to_m - from_m));
+      if (near_m > 0.0 && near_m > before_m) return false;
+      before_m = near_m;
+    }
+    return true;
+  }
   /// The nearest clear place around, the one itself first.
   [[nodiscard]] Vec3 around(const Vec3& place_m) const {
     for (int ring = 0; ring <= kRings; ++ring) {
       for (int k = 0; k < (ring == 0 ? 1 : kDirections); ++k) {
         const Vec2 aside = kSample_m * ring * direction_of_heading(math::kTwoPi * k / kDirections);
         const Vec3 there_m = place_m + Vec3(aside.x(), aside.y(), 0.0);
-        if (may_wait(there_m)) return there_m;
+        if (may_wait(there_m) && passes_peers(place_m, there_m)) return there_m;
       }
     }
     return place_m;
@@ -186,13 +197,10 @@ namespace {
 /// Whether a straight flight keeps clear of everything.
 bool may_cross(const Chooser& chooser, const Vec3& from_m, const Vec3& to_m) {
   const double length_m = (to_m - from_m).norm();
-  double before_m = chooser.too_near_m(from_m);
   for (double s_m = kSample_m; s_m < length_m; s_m += kSample_m) {
-    const Vec3 here_m = from_m + s_m / length_m * (to_m - from_m);
-    const double near_m = chooser.too_near_m(here_m);
-    if (!chooser.clear(here_m) || (near_m > 0.0 && near_m > before_m)) return false;
-    before_m = near_m;
+    if (!chooser.clear(from_m + s_m / length_m * (to_m - from_m))) return false;
   }
+  if (!chooser.passes_peers(from_m, to_m)) return false;
   return chooser.may_wait(to_m);
 }
 

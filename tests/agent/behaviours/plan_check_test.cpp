@@ -83,6 +83,17 @@ TEST(LateWatch, WhoIsHeldOffOrCatchesUpInTimeIsNotLate) {
   }
 }
 
+TEST(LateWatch, TwiceTheLimitIsTooFarWhateverHoldsItOff) {
+  LateWatch watch(0.1);
+  bool late = false;
+  for (int k = 0; k < 10; ++k) {
+    Lateness now = behind(20.1 + 0.1 * k);
+    now.held_off = true;
+    late = watch.note(now);
+  }
+  EXPECT_TRUE(late);
+}
+
 TEST(LateWatch, WhoCatchesUpTooSlowlyIsLate) {
   LateWatch watch(0.1);
   bool late = false;

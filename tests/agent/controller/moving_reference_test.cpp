@@ -55,5 +55,44 @@ TEST(MovingReference, AMultirotorKeepsToItAndEndsAtRest) {
   EXPECT_LT(state.velocity_mps.norm(), 0.2);
 }
 
+TEST(MovingReference, BrakesToRestAndDrawsBack) {
+  MovingReference reference(hoverer(), 0.5, 0.9);  // 9 m/s, 2 m/s2
+  const auto on_line = [](double s_m) { return Vec3(s_m, 0.0, 0.0); };
+  for (int k = 0; k < 20; ++k) (void)reference.command(500.0, on_line, Vec3::Zero());
+  const double from_m = reference.travelled_m(500.0, 10.0);
+  EXPECT_DOUBLE_EQ(reference.speed_mps(500.0, 10.0), 9.0);
+  reference.brake(500.0, 3.0);
+  reference.brake(500.0, 1.0);  // too late
+  EXPECT_DOUBLE_EQ(reference.travelled_m(500.0, 9.0), from_m - 9.0) << "what was is as it was";
+  EXPECT_DOUBLE_EQ(reference.travelled_m(500.0, 11.0), from_m + 9.0 - 1.5);
+  EXPECT_DOUBLE_EQ(reference.rest_m(), from_m + 13.5);
+  EXPECT_DOUBLE_EQ(reference.rest_s(), 13.0);
+  EXPECT_DOUBLE_EQ(reference.travelled_m(500.0, 20.0), from_m + 13.5);
+  reference.draw_back(500.0, from_m + 20.0);
+  EXPECT_DOUBLE_EQ(reference.rest_m(), from_m + 13.5) << "never ahead";
+  reference.draw_back(500.0, from_m + 5.5);
+  EXPECT_DOUBLE_EQ(reference.rest_m(), from_m + 5.5);
+  EXPECT_DOUBLE_EQ(reference.rest_s(), 13.0 + 2.0 * 2.0) << "8 m from rest to rest with 2 m/s2";
+  EXPECT_DOUBLE_EQ(reference.travelled_m(500.0, 15.0), from_m + 9.5);
+  EXPECT_DOUBLE_EQ(reference.travelled_m(500.0, 30.0), from_m + 5.5);
+}
+
+TEST(MovingReference, AReserveOfSpeedCatchesUpWithoutOvershooting) {
+  const VehicleSpec spec = hoverer();
+  MovingReference reference(spec, 0.1, 0.9);
+  const auto on_line = [](double s_m) { return Vec3(s_m, 0.0, 0.0); };
+  VehicleState state = initial_state(spec);
+  state.position_m.x() = -8.0;  // behind
+  double ahead_m = -1e9;
+  for (int k = 0; k < 600; ++k) {
+    const double at_m = reference.travelled_m(300.0, 0.1 * k);
+    ahead_m = std::max(ahead_m, state.position_m.x() - at_m);
+    const auto command = reference.command(300.0, on_line, state.position_m);
+    state = advance_multirotor(spec, state, command.velocity_mps, 0.1).after;
+  }
+  EXPECT_LT(ahead_m, 0.2);
+  EXPECT_NEAR(state.position_m.x(), 300.0, 0.05);
+}
+
 }  // namespace
 }  // namespace skein
