@@ -57,19 +57,28 @@ std::vector<Mover> movers_of(const ControllerOptions& options, const VehicleSpec
 /// What is left of a velocity when it nears no mover too fast.
 Vec3 held_off(const ControllerOptions& options, const VehicleSpec& spec, const std::vector<Mover>& movers,
               Vec3 wanted_mps) {
+  struct Bound {
+    Vec3 towards;
+    double most_mps;
+  };
+  std::vector<Bound> bounds;
+  bounds.reserve(movers.size());
+  for (const Mover& mover : movers) {
+    const double distance_m = mover.apart_m.norm();
+    if (!(distance_m > 0.0)) continue;
+    const Vec3 towards = -mover.apart_m / distance_m;
+    const double room_m = distance_m - mover.safe_m - kStandoff_m - kWary_s * mover.speed_mps;
+    const double fastest_mps = std::max(options.obstacle_speed_mps, mover.speed_mps);
+    double most_mps = room_m > 0.0 ? spec.speed_mps : std::max(-fastest_mps, room_m / kReturn_s);
+    if (room_m > 0.0 && spec.max_acceleration_mps2 > 0.0) {
+      most_mps = std::sqrt(2.0 * spec.max_acceleration_mps2 * room_m);
+    }
+    bounds.push_back({towards, most_mps + std::min(0.0, mover.velocity_mps.dot(towards))});
+  }
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (const Mover& mover : movers) {
-      const double distance_m = mover.apart_m.norm();
-      if (!(distance_m > 0.0)) continue;
-      const Vec3 towards = -mover.apart_m / distance_m;
-      const double room_m = distance_m - mover.safe_m - kStandoff_m - kWary_s * mover.speed_mps;
-      const double fastest_mps = std::max(options.obstacle_speed_mps, mover.speed_mps);
-      double most_mps = room_m > 0.0 ? spec.speed_mps : std::max(-fastest_mps, room_m / kReturn_s);
-      if (room_m > 0.0 && spec.max_acceleration_mps2 > 0.0) {
-        most_mps = std::sqrt(2.0 * spec.max_acceleration_mps2 * room_m);
-      }
-      const double nearing_mps = wanted_mps.dot(towards) - std::min(0.0, mover.velocity_mps.dot(towards));
-      if (nearing_mps > most_mps) wanted_mps -= (nearing_mps - most_mps) * towards;
+    for (const Bound& bound : bounds) {
+      const double nearing_mps = wanted_mps.dot(bound.towards);
+      if (nearing_mps > bound.most_mps) wanted_mps -= (nearing_mps - bound.most_mps) * bound.towards;
     }
   }
   return wanted_mps;
