@@ -11,6 +11,7 @@ namespace skein {
 namespace {
 
 constexpr double kWary_s = 1.5;      ///< of a mover's speed: its standoff
+constexpr double kLeast = 0.4;       ///< of the vehicle's speed: too slow to get out of the way is no safer
 constexpr double kStandoff_m = 2.0;  ///< of one that stands
 constexpr double kReturn_s = 0.5;    ///< in which what is too near of a standoff is made good
 constexpr int kSweeps = 2;           ///< over all movers: a bound may break an earlier one
@@ -56,19 +57,28 @@ std::vector<Mover> movers_of(const ControllerOptions& options, const VehicleSpec
 /// What is left of a velocity when it nears no mover too fast.
 Vec3 held_off(const ControllerOptions& options, const VehicleSpec& spec, const std::vector<Mover>& movers,
               Vec3 wanted_mps) {
+  struct Bound {
+    Vec3 towards;
+    double most_mps;
+  };
+  std::vector<Bound> bounds;
+  bounds.reserve(movers.size());
+  for (const Mover& mover : movers) {
+    const double distance_m = mover.apart_m.norm();
+    if (!(distance_m > 0.0)) continue;
+    const Vec3 towards = -mover.apart_m / distance_m;
+    const double room_m = distance_m - mover.safe_m - kStandoff_m - kWary_s * mover.speed_mps;
+    const double fastest_mps = std::max(options.obstacle_speed_mps, mover.speed_mps);
+    double most_mps = room_m > 0.0 ? spec.speed_mps : std::max(-fastest_mps, room_m / kReturn_s);
+    if (room_m > 0.0 && spec.max_acceleration_mps2 > 0.0) {
+      most_mps = std::sqrt(2.0 * spec.max_acceleration_mps2 * room_m);
+    }
+    bounds.push_back({towards, most_mps + std::min(0.0, mover.velocity_mps.dot(towards))});
+  }
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (const Mover& mover : movers) {
-      const double distance_m = mover.apart_m.norm();
-      if (!(distance_m > 0.0)) continue;
-      const Vec3 towards = -mover.apart_m / distance_m;
-      const double room_m = distance_m - mover.safe_m - kStandoff_m - kWary_s * mover.speed_mps;
-      const double fastest_mps = std::max(options.obstacle_speed_mps, mover.speed_mps);
-      double most_mps = room_m > 0.0 ? spec.speed_mps : std::max(-fastest_mps, room_m / kReturn_s);
-      if (room_m > 0.0 && spec.max_acceleration_mps2 > 0.0) {
-        most_mps = std::sqrt(2.0 * spec.max_acceleration_mps2 * room_m);
-      }
-      const double nearing_mps = wanted_mps.dot(towards) - std::min(0.0, mover.velocity_mps.dot(towards));
-      if (nearing_mps > most_mps) wanted_mps -= (nearing_mps - most_mps) * towards;
+    for (const Bound& bound : bounds) {
+      const double nearing_mps = wanted_mps.dot(bound.towards);
+      if (nearing_mps > bound.most_mps) wanted_mps -= (nearing_mps - bound.most_mps) * bound.towards;
     }
   }
   return wanted_mps;
@@ -81,9 +91,10 @@ double lead_m(const VehicleSpec& spec, const Vec3& wish_mps) {
   return speed_mps < a ? speed_mps / (1.0 - speed_mps / a) : kEndless_m;
 }
 
-/// The potential of what lies ahead with a velocity, held for `most_m`: 0 where nothing comes near.
+/// The potential of what lies ahead with a velocity, held for `most_m`: 0 where nothing comes near. Once it is `enough`
+/// it is not looked at further.
 double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mover>& movers, const Vec3& tried_mps,
-              double most_m) {
+              double most_m, double enough) {
   const Vec3 change_mps = tried_mps - now_mps;
   const double a = spec.max_acceleration_mps2;
   const double turn_s = a > 0.0 ? change_mps.norm() / a : 0.0;
@@ -92,7 +103,7 @@ double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mo
     const double t_s = kHorizon_s / kLooks * static_cast<double>(k + 1);
     ways_m[k] = t_s < turn_s ? Vec3(t_s * now_mps + t_s * t_s / (2.0 * turn_s) * change_mps)
                              : Vec3(t_s * tried_mps - 0.5 * turn_s * change_mps);
-    ways_m[k] = clipped(ways_m[k], most_m);
+    if (most_m < kEndless_m) ways_m[k] = clipped(ways_m[k], most_m);
   }
   double sum = 0.0;
   for (const Mover& mover : movers) {
@@ -105,8 +116,10 @@ double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mo
       if (squared >= (due_m + mover.reach_m) * (due_m + mover.reach_m)) continue;
       const double near = 1.0 - std::max(0.0, std::sqrt(squared) - due_m) / mover.reach_m;
       worst = std::max(worst, near * near * (1.0 - 0.5 * t_s / kHorizon_s));
+      if (sum + worst >= enough) return sum + worst;
     }
     sum += worst;
+    if (sum >= enough) return sum;
   }
   return sum;
 }
@@ -139,7 +152,7 @@ double wary_speed_mps(const ControllerOptions& options, const VehicleSpec& spec)
   const double a = spec.max_acceleration_mps2;
   if (options.sensor_range_m <= 0.0 || u <= 0.0 || a <= 0.0) return spec.speed_mps;
   const double way_m = options.sensor_range_m - spec.radius_m - options.margin_m - kWary_s * u;
-  return std::clamp(std::sqrt(2.0 * a * std::max(0.0, way_m)) - u, 0.1 * spec.speed_mps, spec.speed_mps);
+  return std::clamp(std::sqrt(2.0 * a * std::max(0.0, way_m)) - u, kLeast * spec.speed_mps, spec.speed_mps);
 }
 
 Vec3 evading(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene, const Vec3& wanted_mps,
@@ -151,13 +164,14 @@ Vec3 evading(const ControllerOptions& options, const VehicleSpec& spec, const Sc
   if (movers.empty()) return best_mps;
   best_mps = held_off(options, spec, movers, best_mps);
   if (level) best_mps.z() = 0.0;
-  double least = kWeight_mps * threat(spec, scene.velocity_mps, movers, best_mps, lead_m(spec, wanted_mps));
+  double least = kWeight_mps * threat(spec, scene.velocity_mps, movers, best_mps, lead_m(spec, wanted_mps), kEndless_m);
   if (least <= 0.0) return best_mps;
   const Vec3 held_mps = best_mps;
   const auto consider = [&](const Vec3& tried_mps) {
     const double off = (tried_mps - held_mps).norm();
     if (off >= least) return;
-    const double potential = off + kWeight_mps * threat(spec, scene.velocity_mps, movers, tried_mps, kEndless_m);
+    const double potential = off + kWeight_mps * threat(spec, scene.velocity_mps, movers, tried_mps, kEndless_m,
+                                                        (least - off) / kWeight_mps);
     if (potential >= least) return;
     least = potential;
     best_mps = tried_mps;

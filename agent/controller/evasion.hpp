@@ -2,7 +2,7 @@
 //
 // The safety filter only ever brakes or holds off; a UAV that stands in the way of something is run over. So
 //   1. the speed is one from which a vehicle can turn back before what comes at u from the rim of the sensor's range:
-//        v <= sqrt(2 a (r - own radius - m - 1.5 u)) - u
+//        v <= sqrt(2 a (r - own radius - m - 1.5 s u)) - u, but not below 0.4 of what the vehicle can do
 //   2. nearing a mover is bounded: with d its distance less D_safe and d0 = 2 m + 1.5 s |v_o|, and n towards it,
 //        (v - min(0, v_o . n) n) . n <= sqrt(2 a (d - d0)), or within d0 (d - d0) / 0.5 s, not below -u:
 //      whoever comes is run from as fast as it comes
@@ -24,7 +24,7 @@ namespace skein {
 [[nodiscard]] Vec3 evading(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene,
                            const Vec3& wanted_mps, bool level);
 
-/// The bound of 1 (m/s): the vehicle's speed if nothing is sensed or nothing moves; never below a tenth of that.
+/// The bound of 1 (m/s): the vehicle's speed if nothing is sensed or nothing moves; never below 0.4 of that.
 [[nodiscard]] double wary_speed_mps(const ControllerOptions& options, const VehicleSpec& spec);
 
 }  // namespace skein

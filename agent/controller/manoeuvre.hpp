@@ -51,7 +51,8 @@ struct Manoeuvre {
   m.turn_m = position_m + way_m;
   m.speed_mps = v1_mps.norm();
   if (m.speed_mps > 0.0) m.direction = v1_mps / m.speed_mps;
-  const double braking_m = braking_distance_m(brakes, m.speed_mps);
+  const double steps = braking_steps(brakes, m.speed_mps);
+  const double braking_m = braked_m(brakes, m.speed_mps, steps);
   m.end_m = m.turn_m + braking_m * m.direction;
   const double way_squared = way_m.squaredNorm();
   if (inert) {
@@ -60,7 +61,7 @@ struct Manoeuvre {
     m.bow_m = across * dt_s / 8.0;
   }
   m.length_m = 0.5 * dt_s * ((v1_mps - change_mps).norm() + m.speed_mps) + braking_m;
-  m.steps = 1.0 + braking_steps(brakes, m.speed_mps);
+  m.steps = 1.0 + steps;
   return m;
 }
 

@@ -48,8 +48,12 @@ class SafetyFilter::Judge {
 
   [[nodiscard]] bool can_meet(const Neighbour& other, double reach_m) const;
   void add(const Neighbour& other, const Segment& tail);
-  void add(const Track& track, const Manoeuvre& braking, double reach_m, double time_s);
-  [[nodiscard]] static double distance_m(const Fixed& thing, const Manoeuvre& m);
+  void add(const Track& track, const Segment& tail, double reach_m, double time_s);
+  [[nodiscard]] static double distance_m(const Fixed& thing, const Segment& way);
+  [[nodiscard]] static double distance_m(const Fixed& thing, const Manoeuvre& m) {
+    return std::min(distance_m(thing, Segment{m.start_m, m.turn_m}) - m.bow_m,
+                    distance_m(thing, Segment{m.turn_m, m.end_m}));
+  }
   [[nodiscard]] bool clear_of(const Moving& it, const Manoeuvre& m) const;
   [[nodiscard]] bool clear_of(const Moving& it, const Manoeuvre& m, double from, double to) const;
   [[nodiscard]] Vec3 place(const Manoeuvre& m, double step) const {
@@ -66,10 +70,13 @@ class SafetyFilter::Judge {
 SafetyFilter::Judge::Judge(const SafetyFilter& filter, const Scene& scene) : filter_(filter), scene_(scene) {
   const Brakes& brakes = filter.brakes_;
   const bool inert = brakes.acceleration_mps2 > 0.0;
-  const Manoeuvre braking = manoeuvre(brakes, scene.position_m, scene.velocity_mps,
-                                      after_step(brakes, filter.speed_mps_, scene.velocity_mps, Vec3::Zero()));
+  const double speed_mps = scene.velocity_mps.norm();
+  Segment tail{scene.position_m, scene.position_m};
+  if (inert && speed_mps > 0.0) {
+    tail.to_m += braking_distance_m(brakes, speed_mps) / speed_mps * scene.velocity_mps;
+  }
   const double gain_mps = inert ? brakes.acceleration_mps2 * brakes.step_s : filter.speed_mps_;
-  const double fastest_mps = (inert ? scene.velocity_mps.norm() : 0.0) + gain_mps;
+  const double fastest_mps = (inert ? speed_mps : 0.0) + gain_mps;
   const double reach_m = stopping_bound_m(brakes, fastest_mps) + kRounding_m;
   const double time_s = stopping_time_s(brakes, fastest_mps) + brakes.step_s;
   planes_.reserve(scene.neighbours.size());
@@ -79,11 +86,10 @@ SafetyFilter::Judge::Judge(const SafetyFilter& filter, const Scene& scene) : fil
     const double here_m = std::visit([&](const auto& shape) { return signed_distance(scene.position_m, shape); }, zone);
     if (here_m > keep_m + reach_m) continue;
     Fixed thing{&zone, nullptr, keep_m};
-    thing.keep_m = std::min(keep_m, distance_m(thing, braking));
+    thing.keep_m = std::min(keep_m, distance_m(thing, tail));
     fixed_.push_back(thing);
   }
-  for (const Track& track : scene.tracks) add(track, braking, reach_m, time_s);
-  const Segment tail{scene.position_m, braking.end_m};
+  for (const Track& track : scene.tracks) add(track, tail, reach_m, time_s);
   for (const Neighbour& other : scene.neighbours) {
     if (can_meet(other, reach_m)) add(other, tail);
   }
@@ -114,31 +120,26 @@ void SafetyFilter::Judge::add(const Neighbour& other, const Segment& tail) {
   }
 }
 
-void SafetyFilter::Judge::add(const Track& track, const Manoeuvre& braking, double reach_m, double time_s) {
+void SafetyFilter::Judge::add(const Track& track, const Segment& tail, double reach_m, double time_s) {
   const double rho_m = filter_.radius_m_ + track.radius_m + filter_.options_.margin_m;
   const double u = track.fixed ? 0.0 : std::max(filter_.options_.obstacle_speed_mps, track.velocity_mps.norm());
-  const Vec3 apart_m = track.position_m - braking.start_m;
+  const Vec3 apart_m = track.position_m - tail.from_m;
   const double here_m = (track.column ? level(apart_m) : apart_m).norm();
   if (here_m > rho_m + reach_m + u * time_s) return;
   if (track.fixed) {
     Fixed thing{nullptr, &track, rho_m};
-    thing.keep_m = std::min(rho_m, distance_m(thing, braking));
+    thing.keep_m = std::min(rho_m, distance_m(thing, tail));
     fixed_.push_back(thing);
   } else {
     moving_.push_back({track.column ? level(track.position_m) : track.position_m, rho_m, u, track.column});
   }
 }
 
-double SafetyFilter::Judge::distance_m(const Fixed& thing, const Manoeuvre& m) {
-  if (thing.zone != nullptr) {
-    const double step_m = clearance_m(m.start_m, m.turn_m, *thing.zone) - m.bow_m;
-    return std::min(step_m, clearance_m(m.turn_m, m.end_m, *thing.zone));
-  }
-  const auto to = [&](const Vec3& a, const Vec3& b) {
-    if (!thing.track->column) return point_to_segment(thing.track->position_m, a, b);
-    return point_to_segment(level(thing.track->position_m), level(a), level(b));
-  };
-  return std::min(to(m.start_m, m.turn_m) - m.bow_m, to(m.turn_m, m.end_m));
+double SafetyFilter::Judge::distance_m(const Fixed& thing, const Segment& way) {
+  if (thing.zone != nullptr) return clearance_m(way.from_m, way.to_m, *thing.zone);
+  const Vec3& place_m = thing.track->position_m;
+  if (!thing.track->column) return point_to_segment(place_m, way.from_m, way.to_m);
+  return point_to_segment(level(place_m), level(way.from_m), level(way.to_m));
 }
 
 bool SafetyFilter::Judge::clear_of(const Moving& it, const Manoeuvre& m) const {

@@ -88,7 +88,7 @@ TEST(Evasion, TheSpeedIsOneFromWhichItCanTurnBack) {
   options.obstacle_speed_mps = 5.0;
   EXPECT_NEAR(wary_speed_mps(options, kSpec), std::sqrt(8.0 * 15.75) - 5.0, 1e-12);
   options.sensor_range_m = 5.0;
-  EXPECT_NEAR(wary_speed_mps(options, kSpec), 1.0, 1e-12);
+  EXPECT_NEAR(wary_speed_mps(options, kSpec), 4.0, 1e-12);
 }
 
 TEST(Evasion, RunsFromWhatComesAndSideStepsIt) {

@@ -52,6 +52,17 @@ TEST(ClosedLoop, SwarmsSwapPlacesOnASphere) {
   }
 }
 
+TEST(ClosedLoop, WhoIsHeardLateIsNotTouched) {
+  for (const double range_m : {24.0, 12.0, 6.0}) {
+    Loop loop = sphere_swap(2, 32);
+    loop.peer_range_m = range_m;
+    const Tally tally = loop.run(180.0);
+    EXPECT_EQ(tally.arrived, 32) << range_m;
+    EXPECT_EQ(tally.collisions + tally.peer_collisions, 0) << range_m;
+    EXPECT_GE(tally.least_peer_m, loop.options.margin_m - 1e-6) << range_m;
+  }
+}
+
 TEST(ClosedLoop, TwoFaceToFaceAndOnOneHeightPass) {
   for (const char* name : {"apf", "orca"}) {
     Loop loop;
