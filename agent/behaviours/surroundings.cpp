@@ -79,9 +79,8 @@ Situation Surroundings::situation(const Vec3& wish_mps) const {
   now.stale_peer = stale_;
   const Vec3 later_m = position_m_ + mission_.controller.horizon_s * wish_mps;
   const double keep_m = own_.radius_m + mission_.controller.margin_m;
-  for (std::size_t i = known_zones_; i < shapes_.size(); ++i) {
-    now.zone_unconfirmed = now.zone_unconfirmed || distance_m(position_m_, later_m, shapes_[i]) <= keep_m;
-  }
+  now.zone_unconfirmed = std::ranges::any_of(
+      closed_zones(), [&](const ZoneShape& zone) { return distance_m(position_m_, later_m, zone) <= keep_m; });
   return now;
 }
 

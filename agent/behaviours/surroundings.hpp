@@ -8,6 +8,7 @@
 // Complexity: O(peers + tracks + zones) a step.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "agent/controller/scene.hpp"
@@ -28,6 +29,11 @@ class Surroundings {
   /// The part of a situation that is sensed; plan and steering are left open. Valid until the next look.
   /// @param wish_mps where the plan leads: a closed zone on the way of the next horizon_s keeps it waiting
   [[nodiscard]] Situation situation(const Vec3& wish_mps) const;
+
+  /// Announced zones that must not be entered now. Valid until the next look.
+  [[nodiscard]] std::span<const ZoneShape> closed_zones() const {
+    return std::span<const ZoneShape>(shapes_).subspan(known_zones_);
+  }
 
   void add_to(StateHash& hash) const;
 

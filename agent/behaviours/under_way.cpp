@@ -38,11 +38,11 @@ VehicleSpec with_speed(VehicleSpec spec, double speed_mps) {
 
 UnderWay::UnderWay(const Mission& mission, AgentId self)
     : mission_(rendezvous::with_reserve(mission)),
-      told_(mission.vehicles),
+      surroundings_(mission, self),
       self_(self),
       spec_(vehicle_of(mission_, self)),
       controller_(mission.controller, spec_, mission.step_s, kPeerRange_m),
-      top_mps_(spec_.speed_mps),
+      top_mps_(controller_.top_speed_mps()),
       replanning_(mission_, self),
       speed_(mission.step_s),
       late_(mission.step_s),
@@ -80,13 +80,7 @@ void UnderWay::sense(const Tick& tick, const Sense& sense) {
   for (const Track& track : sense.tracks) {
     if (track.fixed) note_known(track, false);
   }
-  std::erase_if(
-      heard_, [&](AgentId id) { return std::ranges::find(tick.roster, id, &RosterEntry::agent) == tick.roster.end(); });
-  for (const HeardPeer& peer : sense.heard) {
-    if (std::ranges::find(tick.roster, peer.agent, &RosterEntry::agent) == tick.roster.end()) continue;
-    const auto place = std::ranges::lower_bound(heard_, peer.agent);
-    if (place == heard_.end() || *place != peer.agent) heard_.insert(place, peer.agent);
-  }
+  surroundings_.look(tick, sense);
   if (!hovers()) return;
   const double commanded_mps = std::min(steering_.velocity_mps.norm(), top_mps_);
   const double reached_mps = sense.velocity_mps.norm();
@@ -141,7 +135,7 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
       replanning_.call(input.tick, revision(input.tick, *wanted_));
       if (*wanted_ == SafetyReason::Blocked && hovers()) brake_at_once();
     }
-    fly(input.tick, out);
+    fly(out);
   }
   out.mode = replanning_.engaged() ? AgentMode::Replanning
              : arrived_            ? AgentMode::Arrived

@@ -22,6 +22,7 @@
 #include "agent/behaviours/behaviour.hpp"
 #include "agent/behaviours/plan_check.hpp"
 #include "agent/behaviours/replanning.hpp"
+#include "agent/behaviours/surroundings.hpp"
 #include "agent/behaviours/waiting_place.hpp"
 #include "agent/controller/path_follower.hpp"
 #include "agent/controller/velocity_controller.hpp"
@@ -72,14 +73,12 @@ class UnderWay {
   [[nodiscard]] double circle_room_m(std::span<const Track> obstacles, double side) const;
   [[nodiscard]] Pose pose_at_switch(const Tick& tick) const;
   [[nodiscard]] Vec3 wish();
-  void fly(const Tick& tick, RoundOutput& out);
-  void watch_over(const Tick& tick, std::span<const Neighbour> neighbours, bool waits_for_zone, RoundOutput& out) const;
-  [[nodiscard]] std::vector<Neighbour> neighbours() const;
-  [[nodiscard]] std::vector<ZoneShape> closed_zones(double time_s) const;
+  void fly(RoundOutput& out);
+  void watch_over(RoundOutput& out) const;
   [[nodiscard]] bool leads_into(std::span<const ZoneShape> zones) const;
 
-  Mission mission_;                ///< with the reserve of plans
-  std::vector<VehicleSpec> told_;  ///< vehicles as the mission says
+  Mission mission_;            ///< with the reserve of plans
+  Surroundings surroundings_;  ///< with the safety radii of the mission as told
   AgentId self_;
   VehicleSpec spec_;
   VelocityController controller_;
@@ -97,7 +96,6 @@ class UnderWay {
   Sense sense_;               ///< of the last step
   bool sensed_ = false;
   bool arrived_ = false;
-  std::vector<AgentId> heard_;  ///< live peers that were heard since they are live, ascending
   Steering steering_;
   std::optional<Vec3> reference_m_;  ///< where the plan says that it is, as the last step began
 };

@@ -76,29 +76,6 @@ Vec3 UnderWay::wish() {
   return clipped(hold_.towards(*reference_m_, pose.position_m), top_mps_);
 }
 
-std::vector<Neighbour> UnderWay::neighbours() const {
-  std::vector<Neighbour> found;
-  for (const HeardPeer& peer : sense_.heard) {
-    if (peer.landed || peer.agent == self_) continue;
-    const VehicleSpec& spec = vehicle_of(mission_, peer.agent);
-    found.push_back({peer.agent, peer.position_m, peer.velocity_mps, spec.radius_m, spec.max_acceleration_mps2});
-  }
-  return found;
-}
-
-/// Announced zones that must not be entered now.
-std::vector<ZoneShape> UnderWay::closed_zones(double time_s) const {
-  std::vector<ZoneShape> closed;
-  for (std::size_t i = 0; i < std::min(sense_.zones.size(), mission_.announced.size()); ++i) {
-    const Announcement& zone = mission_.announced[i];
-    const bool soon = time_s >= zone.from_s - zone.early_s - zone.clear_s;
-    const ZoneState state = sense_.zones[i];
-    if (state == ZoneState::Clear || (state == ZoneState::Ahead && !soon)) continue;
-    closed.push_back(zone.shape);
-  }
-  return closed;
-}
-
 /// Whether the plan enters one of the zones within the horizon.
 bool UnderWay::leads_into(std::span<const ZoneShape> zones) const {
   if (zones.empty() || !accepted_) return false;
@@ -114,44 +91,25 @@ bool UnderWay::leads_into(std::span<const ZoneShape> zones) const {
   return false;
 }
 
-void UnderWay::fly(const Tick& tick, RoundOutput& out) {
+void UnderWay::fly(RoundOutput& out) {
   if (!sense_.obeyed) {  // its vehicle is not its own: it holds its course
     out.commanded_velocity_mps = sense_.velocity_mps;
     return;
   }
   steering_ = {wish(), false, false, false};
-  const std::vector<ZoneShape> closed = closed_zones(tick.time_s);
-  const std::vector<Neighbour> near = neighbours();
   if (hovers() && mission_.controller.sensor_range_m > 0.0) {
-    std::vector<ZoneShape> zones = shapes_of(mission_);
-    zones.insert(zones.end(), closed.begin(), closed.end());
-    const Scene scene{sense_.pose.position_m, sense_.velocity_mps, near, sense_.tracks, zones};
-    steering_ = controller_.command(scene, steering_.velocity_mps);
+    steering_ = controller_.command(surroundings_.scene(), steering_.velocity_mps);
   }
   out.commanded_velocity_mps = steering_.velocity_mps;
-  watch_over(tick, near, leads_into(closed), out);
+  watch_over(out);
 }
 
-void UnderWay::watch_over(const Tick& tick, std::span<const Neighbour> neighbours, bool waits_for_zone,
-                          RoundOutput& out) const {
-  const auto safety_radius_m = [this](AgentId id) {
-    return std::ranges::find(told_, id, &VehicleSpec::id)->safety_radius_m;
-  };
-  std::vector<double> safe_m;
-  for (const Neighbour& other : neighbours) safe_m.push_back(safety_radius_m(self_) + safety_radius_m(other.id));
-  Situation now;
-  now.neighbours = neighbours;
-  now.safe_m = safe_m;
-  now.position_m = sense_.pose.position_m;
-  now.velocity_mps = sense_.velocity_mps;
+void UnderWay::watch_over(RoundOutput& out) const {
+  Situation now = surroundings_.situation(Vec3::Zero());
   if (accepted_) now.reference_m = reference_m_;
   now.has_plan = accepted_;
   now.replanning = replanning_.engaged();
-  now.zone_unconfirmed = waits_for_zone;
-  now.stale_peer = std::ranges::any_of(tick.roster, [&](const RosterEntry& entry) {
-    return std::ranges::binary_search(heard_, entry.agent) &&
-           std::ranges::find(sense_.heard, entry.agent, &HeardPeer::agent) == sense_.heard.end();
-  });
+  now.zone_unconfirmed = leads_into(surroundings_.closed_zones());
   now.steering = steering_;
   const Watch found = watch(mission_.controller, now);
   out.safety_mode = found.mode;
@@ -164,6 +122,7 @@ void UnderWay::add_to(StateHash& hash) const {
   replanning_.add_to(hash);
   speed_.add_to(hash);
   late_.add_to(hash);
+  surroundings_.add_to(hash);
   hash.add(plan_.has_value()).add(accepted_);
   if (plan_) {
     plan_->reference.add_to(hash);

@@ -10,23 +10,38 @@
 namespace skein {
 namespace {
 
-constexpr double kWary_s = 1.5;      ///< of a mover's speed: its standoff
-constexpr double kLeast = 0.4;       ///< of the vehicle's speed: too slow to get out of the way is no safer
-constexpr double kStandoff_m = 2.0;  ///< of one that stands
-constexpr double kReturn_s = 0.5;    ///< in which what is too near of a standoff is made good
-constexpr int kSweeps = 2;           ///< over all movers: a bound may break an earlier one
-constexpr double kHorizon_s = 5.0;
-constexpr int kLooks = 8;  ///< within the horizon
-constexpr double kGrowth_mps = 1.0;
-constexpr double kReach_m = 7.0;
+// Times in v / a, the time in which the vehicle stops; speeds in u, lengths in u v / a.
+constexpr double kWary = 0.6;       ///< a mover's standoff, of its speed
+constexpr double kStandoff = 0.16;  ///< the standoff of one that stands
+constexpr double kReturn = 0.2;     ///< in which what is too near of a standoff is made good
+constexpr double kHorizon = 2.0;
+constexpr double kGrowth = 0.2;
+constexpr double kReach = 0.56;
 constexpr double kReachStanding = 0.2;  ///< part of the reach that one has which stands
-constexpr double kFullReach_mps = 5.0;  ///< the speed from which on it has all
-constexpr double kWeight_mps = 100.0;
+constexpr double kLeast = 0.4;          ///< of the vehicle's speed: too slow to get out of the way is no safer
+constexpr double kWeight = 10.0;        ///< of the vehicle's speed
+constexpr double kStopsAtOnce_s = 2.5;  ///< what stands for v / a of a vehicle without inertia
+constexpr double kUnknownSpeed = 0.5;   ///< of the vehicle's speed: stands for u if it is 0
+constexpr int kSweeps = 2;              ///< over all movers: a bound may break an earlier one
+constexpr int kLooks = 8;               ///< within the horizon
 constexpr double kEndless_m = 1e9;
 constexpr double kSpeeds = 3.0;                   ///< of a direction of the fan
 constexpr double kDiagonal = 0.7071067811865476;  // sqrt(1/2)
 constexpr double kCosine = 0.9238795325112867;    // of 22.5 degrees
 constexpr double kSine = 0.3826834323650898;
+
+/// In what the constants count.
+struct Scale {
+  double stop_s;        ///< v / a
+  double obstacle_mps;  ///< u
+
+  Scale(const ControllerOptions& options, const VehicleSpec& spec)
+      : stop_s(spec.max_acceleration_mps2 > 0.0 ? spec.speed_mps / spec.max_acceleration_mps2 : kStopsAtOnce_s),
+        obstacle_mps(options.obstacle_speed_mps > 0.0 ? options.obstacle_speed_mps : kUnknownSpeed * spec.speed_mps) {}
+  [[nodiscard]] double horizon_s() const { return kHorizon * stop_s; }
+  [[nodiscard]] double wary_s() const { return kWary * stop_s; }
+  [[nodiscard]] double way_m() const { return obstacle_mps * stop_s; }
+};
 
 struct Mover {
   Vec3 apart_m;  ///< from it to the own place
@@ -42,14 +57,15 @@ Vec3 seen(const Vec3& v, bool column) {
 }
 
 std::vector<Mover> movers_of(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene) {
+  const Scale scale(options, spec);
   std::vector<Mover> movers;
   movers.reserve(scene.tracks.size());
   for (const Track& t : scene.tracks) {
     if (t.fixed) continue;
     const double speed_mps = t.velocity_mps.norm();
-    const double part = kReachStanding + (1.0 - kReachStanding) * std::min(1.0, speed_mps / kFullReach_mps);
+    const double part = kReachStanding + (1.0 - kReachStanding) * std::min(1.0, speed_mps / scale.obstacle_mps);
     movers.push_back({seen(scene.position_m - t.position_m, t.column), seen(t.velocity_mps, t.column), speed_mps,
-                      spec.radius_m + options.margin_m + t.radius_m, part * kReach_m, t.column});
+                      spec.radius_m + options.margin_m + t.radius_m, part * kReach * scale.way_m(), t.column});
   }
   return movers;
 }
@@ -61,15 +77,16 @@ Vec3 held_off(const ControllerOptions& options, const VehicleSpec& spec, const s
     Vec3 towards;
     double most_mps;
   };
+  const Scale scale(options, spec);
   std::vector<Bound> bounds;
   bounds.reserve(movers.size());
   for (const Mover& mover : movers) {
     const double distance_m = mover.apart_m.norm();
     if (!(distance_m > 0.0)) continue;
     const Vec3 towards = -mover.apart_m / distance_m;
-    const double room_m = distance_m - mover.safe_m - kStandoff_m - kWary_s * mover.speed_mps;
+    const double room_m = distance_m - mover.safe_m - kStandoff * scale.way_m() - scale.wary_s() * mover.speed_mps;
     const double fastest_mps = std::max(options.obstacle_speed_mps, mover.speed_mps);
-    double most_mps = room_m > 0.0 ? spec.speed_mps : std::max(-fastest_mps, room_m / kReturn_s);
+    double most_mps = room_m > 0.0 ? spec.speed_mps : std::max(-fastest_mps, room_m / (kReturn * scale.stop_s));
     if (room_m > 0.0 && spec.max_acceleration_mps2 > 0.0) {
       most_mps = std::sqrt(2.0 * spec.max_acceleration_mps2 * room_m);
     }
@@ -93,14 +110,16 @@ double lead_m(const VehicleSpec& spec, const Vec3& wish_mps) {
 
 /// The potential of what lies ahead with a velocity, held for `most_m`: 0 where nothing comes near. Once it is `enough`
 /// it is not looked at further.
-double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mover>& movers, const Vec3& tried_mps,
-              double most_m, double enough) {
+double threat(const VehicleSpec& spec, const Scale& scale, const Vec3& now_mps, const std::vector<Mover>& movers,
+              const Vec3& tried_mps, double most_m, double enough) {
   const Vec3 change_mps = tried_mps - now_mps;
+  const double horizon_s = scale.horizon_s();
+  const double growth_mps = kGrowth * scale.obstacle_mps;
   const double a = spec.max_acceleration_mps2;
   const double turn_s = a > 0.0 ? change_mps.norm() / a : 0.0;
   std::array<Vec3, kLooks> ways_m;
   for (std::size_t k = 0; k < kLooks; ++k) {
-    const double t_s = kHorizon_s / kLooks * static_cast<double>(k + 1);
+    const double t_s = horizon_s / kLooks * static_cast<double>(k + 1);
     ways_m[k] = t_s < turn_s ? Vec3(t_s * now_mps + t_s * t_s / (2.0 * turn_s) * change_mps)
                              : Vec3(t_s * tried_mps - 0.5 * turn_s * change_mps);
     if (most_m < kEndless_m) ways_m[k] = clipped(ways_m[k], most_m);
@@ -109,13 +128,13 @@ double threat(const VehicleSpec& spec, const Vec3& now_mps, const std::vector<Mo
   for (const Mover& mover : movers) {
     double worst = 0.0;
     for (std::size_t k = 0; k < kLooks; ++k) {
-      const double t_s = kHorizon_s / kLooks * static_cast<double>(k + 1);
+      const double t_s = horizon_s / kLooks * static_cast<double>(k + 1);
       const Vec3 apart_m = mover.apart_m + seen(ways_m[k], mover.column) - t_s * mover.velocity_mps;
-      const double due_m = mover.safe_m + kGrowth_mps * t_s;
+      const double due_m = mover.safe_m + growth_mps * t_s;
       const double squared = apart_m.squaredNorm();
       if (squared >= (due_m + mover.reach_m) * (due_m + mover.reach_m)) continue;
       const double near = 1.0 - std::max(0.0, std::sqrt(squared) - due_m) / mover.reach_m;
-      worst = std::max(worst, near * near * (1.0 - 0.5 * t_s / kHorizon_s));
+      worst = std::max(worst, near * near * (1.0 - 0.5 * t_s / horizon_s));
       if (sum + worst >= enough) return sum + worst;
     }
     sum += worst;
@@ -151,7 +170,7 @@ double wary_speed_mps(const ControllerOptions& options, const VehicleSpec& spec)
   const double u = options.obstacle_speed_mps;
   const double a = spec.max_acceleration_mps2;
   if (options.sensor_range_m <= 0.0 || u <= 0.0 || a <= 0.0) return spec.speed_mps;
-  const double way_m = options.sensor_range_m - spec.radius_m - options.margin_m - kWary_s * u;
+  const double way_m = options.sensor_range_m - spec.radius_m - options.margin_m - Scale(options, spec).wary_s() * u;
   return std::clamp(std::sqrt(2.0 * a * std::max(0.0, way_m)) - u, kLeast * spec.speed_mps, spec.speed_mps);
 }
 
@@ -164,14 +183,17 @@ Vec3 evading(const ControllerOptions& options, const VehicleSpec& spec, const Sc
   if (movers.empty()) return best_mps;
   best_mps = held_off(options, spec, movers, best_mps);
   if (level) best_mps.z() = 0.0;
-  double least = kWeight_mps * threat(spec, scene.velocity_mps, movers, best_mps, lead_m(spec, wanted_mps), kEndless_m);
+  const Scale scale(options, spec);
+  const double weight_mps = kWeight * spec.speed_mps;
+  double least =
+      weight_mps * threat(spec, scale, scene.velocity_mps, movers, best_mps, lead_m(spec, wanted_mps), kEndless_m);
   if (least <= 0.0) return best_mps;
   const Vec3 held_mps = best_mps;
   const auto consider = [&](const Vec3& tried_mps) {
     const double off = (tried_mps - held_mps).norm();
     if (off >= least) return;
-    const double potential = off + kWeight_mps * threat(spec, scene.velocity_mps, movers, tried_mps, kEndless_m,
-                                                        (least - off) / kWeight_mps);
+    const double potential = off + weight_mps * threat(spec, scale, scene.velocity_mps, movers, tried_mps, kEndless_m,
+                                                       (least - off) / weight_mps);
     if (potential >= least) return;
     least = potential;
     best_mps = tried_mps;

@@ -22,6 +22,9 @@ class VelocityController {
   /// The velocity to have at the end of the step. @param wish_mps what the plan wants
   [[nodiscard]] Steering command(const Scene& scene, const Vec3& wish_mps) const;
 
+  /// The speed (m/s) that is ever commanded: the vehicle's, or what its sensor carries if that is less.
+  [[nodiscard]] double top_speed_mps() const;
+
  private:
   ControllerOptions options_;
   VehicleSpec spec_;
