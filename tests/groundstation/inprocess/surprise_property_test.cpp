@@ -61,15 +61,24 @@ TEST(Surprises, ARendezvousPlansAnewAndArrivesInTheSameStep) {
   EXPECT_GT(replanned, seeds * 9 / 10) << "the surprise must matter";
 }
 
-TEST(Surprises, WithoutReplanningNobodyGetsPastWhatStands) {
-  // An artificial potential field alone may slide by, but late: the others have arrived long before.
+TEST(Surprises, WhatIsLargeIsPassedTogetherOnlyByANewPlan) {
   std::size_t together = 0;
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Json report = fly("rendezvous-surprise", seed, {{"planner.replan", "0"}});
-    expect_untouched(report, seed);
-    together += report.at("exit_code") == 0 ? 1 : 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    for (const char* replan : {"0", "1"}) {
+      const Json report = fly("rendezvous-surprise", seed,
+                              {{"planner.replan", replan},
+                               {"sudden_obstacles.1.radius_m", "600"},
+                               {"sudden_obstacles.1.ahead.distance_m", "720"}});
+      expect_untouched(report, seed);
+      const bool all = report.at("exit_code") == 0;
+      if (*replan == '1') {
+        EXPECT_TRUE(all) << seed << ": " << report.at("reason");
+      } else {
+        together += all ? 1 : 0;
+      }
+    }
   }
-  EXPECT_LT(together, 15U);
+  EXPECT_LT(together, 5U) << "the controller slides by, but late";
 }
 
 TEST(Surprises, ASwarmWithASlowVehicleArrivesTogether) {
