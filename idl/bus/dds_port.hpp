@@ -44,6 +44,7 @@ struct DdsConfig {
 class DdsAgentGroup {
  public:
   /// Agent i of `ids` (ascending, each once) has nonce `config.nonce` + i; `config.id` is not used.
+  /// A single id may be 0: of a process that asks for one, to which no sense sample goes.
   /// @throws std::invalid_argument for a config out of range (ids 1 to kMaxAgents), std::runtime_error if DDS cannot
   /// make the participant or an endpoint.
   /// @param delivery called by the thread of DDS that brings what the ports wait for, not only their owner's thread;
