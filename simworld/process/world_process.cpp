@@ -50,7 +50,8 @@ class WorldProcess {
 
   void run() {
     channel_.send({{"launch", ids_of(scenario_.mission)}});
-    const Turn::Service service(turn_, [this] { return serve(); });
+    // what is due before the own thread would look again (the next tick of a paced run) is its own to wait for
+    const Turn::Service service(turn_, [this] { return serve() && session_.idle_s(steady_now_s()) >= kLook_s; });
     for (double idle_s = 0.0;;) {
       wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, std::min(idle_s, kLook_s));
       const auto lock = turn_.own();
