@@ -1,0 +1,40 @@
+"""Faults of a machine: a full disk under the report, and clocks that differ."""
+
+import os
+from pathlib import Path
+
+from case import RENDEZVOUS, ContainerCase, note
+
+_FAKETIME = Path("/usr/lib/x86_64-linux-gnu/faketime/libfaketimeMT.so.1")
+
+
+def shifted(shift):
+    """Options of a container whose wall clock is shifted; its monotonic one is not."""
+    library = Path(os.environ.get("SKEIN_FAKETIME", _FAKETIME))
+    if not library.is_file():
+        raise RuntimeError(f"{library} is not here; deploy/setup.sh container installs it")
+    return ("-v", f"{library}:/faketime.so:ro", "-e", "LD_PRELOAD=/faketime.so", "-e", f"FAKETIME={shift}",
+            "-e", "FAKETIME_DONT_FAKE_MONOTONIC=1", "-e", "DONT_FAKE_MONOTONIC=1")
+
+
+class Machine(ContainerCase):
+    def test_a_full_disk_under_the_report_is_named(self):
+        swarm = self.swarm(RENDEZVOUS)
+        world = swarm.start_world(options=("--tmpfs", "/runs:rw,size=8k,mode=1777"))
+        agents = swarm.start_agents()
+        self.assertEqual(world.wait(), 1, world.log())
+        self.assertIn("cannot write", world.log())
+        self.assertIn("report.json", world.log())
+        for agent in agents:
+            self.assertEqual(agent.wait(), 0, agent.log())
+        note("a disk of 8 KiB under the world's report", "rendezvous-2d",
+             "the run ends in formation, the agents with 0; the world with 1, naming the file")
+
+    def test_clocks_that_differ_by_an_hour(self):
+        swarm = self.swarm(RENDEZVOUS)
+        world = swarm.start_world(options=shifted("-1h"))
+        for shift in ("+1h", "+0h", "-3h"):
+            swarm.start_agent(options=shifted(shift))
+        self.assert_undisturbed(world, swarm, RENDEZVOUS)
+        note("wall clocks an hour behind, right, an hour and three hours off (libfaketime)", "rendezvous-2d",
+             "same state hash")
