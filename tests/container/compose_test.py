@@ -1,11 +1,10 @@
 """The compositions of deploy/: what the README shows."""
 
-import os
 import subprocess
 import uuid
 
 from case import ContainerCase, Mission, Suite, note
-from image import ROOT
+from image import ROOT, ensure_discovery_image
 from swarm import Container, World, until
 
 _COMMANDS = {"podman": ["podman-compose"], "docker": ["docker", "compose"]}
@@ -51,7 +50,8 @@ class Compositions(ContainerCase):
             self.assertEqual(len(composition.members("agent")), agents, said)
             self.assertEqual(worlds[0].wait(180), 0, worlds[0].log()[-3000:])
             report = worlds[0].report()
-            self.assertEqual(composition.members("station")[0].wait(60), 0)
+            station = composition.members("station")[0]
+            self.assertEqual(station.wait(60), 0, station.log())
             for agent in composition.members("agent"):
                 self.assertEqual(agent.wait(60), 0, agent.log())
         self.assertEqual(len(report["vehicles"]), agents)
@@ -63,9 +63,7 @@ class Compositions(ContainerCase):
         note("nothing: AGENTS=6, deploy/compose.yaml", "rendezvous-ring, 6 agents", "same state hash as in process")
 
     def test_a_discovery_server_instead_of_multicast(self):
-        build = os.environ.get("SKEIN_DISCOVERY_IMAGE")
-        if build:
-            Suite.engine.run("tag", build, "localhost/skein-discovery:latest")
+        Suite.engine.run("tag", ensure_discovery_image(Suite.engine), "localhost/skein-discovery:latest")
         self.whole(["compose.yaml", "compose.discovery.yaml"], 4)
         note("no multicast: a discovery server, deploy/compose.discovery.yaml", "rendezvous-ring, 4 agents",
              "same state hash as in process")

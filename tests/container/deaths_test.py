@@ -5,7 +5,10 @@ import random
 import faults
 from case import RENDEZVOUS, ContainerCase, Mission, losses_of, note
 
-_QUICK = Mission("rendezvous-2d", 3, sets=("lockstep.deadline_s=3", "vehicles.on_agent_loss=continue"), realtime=60.0)
+_QUICK = Mission("rendezvous-2d", 3, sets=("lockstep.deadline_s=3",), realtime=25.0)
+
+
+_THOUGHTFUL = Mission("rendezvous-2d", 3, sets=("lockstep.deadline_s=3", "planner.round_s=2.5"), realtime=25.0)
 
 
 def seeded_step(seed):
@@ -18,7 +21,7 @@ class Deaths(ContainerCase):
         swarm = self.swarm(_QUICK)
         world = swarm.start_world(*_QUICK.flags())
         agents = swarm.start_agents()
-        step = seeded_step(1)
+        step = seeded_step(2)
         world.reaches("flying", step)
         faults.kill_process(agents[0])
         self.assertEqual(agents[0].wait(), 137)
@@ -33,14 +36,15 @@ class Deaths(ContainerCase):
              f"{losses_of(report)}; exit code {report['exit_code']}; replays to the same state hash")
 
     def test_an_agent_that_dies_while_planning_comes_back_by_its_restart_policy(self):
-        swarm = self.swarm(_QUICK)
-        world = swarm.start_world(*_QUICK.flags())
-        agents = [swarm.start_agent(options=("--restart", "on-failure")) for _ in range(_QUICK.agents)]
-        world.reaches("planning", 10)
+        swarm = self.swarm(_THOUGHTFUL)
+        world = swarm.start_world(*_THOUGHTFUL.flags())
+        agents = [swarm.start_agent(options=("--restart", "on-failure")) for _ in range(_THOUGHTFUL.agents)]
+        world.reaches("planning", 20)
         faults.kill_process(agents[1])
         world.wait()
         report = world.report()
         self.assertEqual([change["reason"] for change in report["roster_changes"]], ["deadline", "rejoined"])
+        self.assertEqual(report["roster_changes"][0]["step"], 0)
         self.assert_replays(swarm, report)
         note("kill -9 of an agent while it plans; its container is restarted", "rendezvous-2d",
              f"{losses_of(report)}; exit code {report['exit_code']}; replays to the same state hash")

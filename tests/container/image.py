@@ -1,7 +1,8 @@
 """The images: a plain Debian 12 made of packages where none can be pulled, and Skein's, from the Containerfile.
 
 Both are kept in the engine's store between runs. The base is named by what goes into it (release, packages, sources); the
-engine's layer cache knows when Skein's is still the one of this tree. SKEIN_IMAGE names an image that is there already.
+engine's layer cache knows when Skein's is still the one of this tree. SKEIN_IMAGE and SKEIN_DISCOVERY_IMAGE name images
+that are there already.
 """
 
 import hashlib
@@ -13,7 +14,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BASE = "docker.io/library/debian:12"
-IMAGE = "localhost/skein:test"
 _SUITE = "bookworm"
 _PACKAGES = ("ca-certificates",)
 _SOURCES = (
@@ -59,14 +59,20 @@ def ensure_base(engine):
     engine.run("tag", marked, BASE)
 
 
+def _build(engine, target, name):
+    ensure_base(engine)
+    say(f"{name} is built from deploy/Containerfile")
+    jobs = os.environ.get("SKEIN_JOBS", str(os.cpu_count() or 2))
+    engine.run("build", "-f", ROOT / "deploy" / "Containerfile", "--target", target, "--build-arg", f"JOBS={jobs}",
+               "-t", name, ROOT, limit_s=3000, merged=True)
+    return name
+
+
 def ensure_image(engine):
     """Skein's image of this tree. @return its name"""
-    given = os.environ.get("SKEIN_IMAGE")
-    if given:
-        return given
-    ensure_base(engine)
-    say("the image is built from deploy/Containerfile")
-    jobs = os.environ.get("SKEIN_JOBS", str(os.cpu_count() or 2))
-    engine.run("build", "-f", ROOT / "deploy" / "Containerfile", "--target", "runtime", "--build-arg", f"JOBS={jobs}",
-               "-t", IMAGE, ROOT, limit_s=3000, merged=True)
-    return IMAGE
+    return os.environ.get("SKEIN_IMAGE") or _build(engine, "runtime", "localhost/skein:test")
+
+
+def ensure_discovery_image(engine):
+    """That of the discovery server. @return its name"""
+    return os.environ.get("SKEIN_DISCOVERY_IMAGE") or _build(engine, "discovery", "localhost/skein-discovery:test")

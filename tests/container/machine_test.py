@@ -20,14 +20,14 @@ def shifted(shift):
 class Machine(ContainerCase):
     def test_a_full_disk_under_the_report_is_named(self):
         swarm = self.swarm(RENDEZVOUS)
-        world = swarm.start_world(options=("--tmpfs", "/runs:rw,size=8k,mode=1777"))
+        world = swarm.start_world(options=("--tmpfs", "/small:rw,size=4k,mode=1777"), out="/small/out")
         agents = swarm.start_agents()
         self.assertEqual(world.wait(), 1, world.log())
         self.assertIn("cannot write", world.log())
         self.assertIn("report.json", world.log())
         for agent in agents:
             self.assertEqual(agent.wait(), 0, agent.log())
-        note("a disk of 8 KiB under the world's report", "rendezvous-2d",
+        note("a disk of 4 KiB under the world's report", "rendezvous-2d",
              "the run ends in formation, the agents with 0; the world with 1, naming the file")
 
     def test_clocks_that_differ_by_an_hour(self):

@@ -6,8 +6,8 @@ import faults
 from case import RENDEZVOUS, TRANSIT, ContainerCase, Mission, losses_of, note
 from swarm import until
 
-_COARSE = Mission("rendezvous-2d", 3, sets=("step_s=2",))
-_SHORT = Mission("rendezvous-2d", 3, sets=("lockstep.deadline_s=3", "vehicles.on_agent_loss=continue"), realtime=40.0)
+_COARSE = Mission("rendezvous-2d", 3, sets=("step_s=5", "planner.generations=20"))
+_SHORT = Mission("rendezvous-2d", 3, sets=("lockstep.deadline_s=3",), realtime=25.0)
 
 
 class Network(ContainerCase):
@@ -67,7 +67,7 @@ class Network(ContainerCase):
         self.short(RENDEZVOUS, "flying", faults.cut_off, "packets dropped")
 
     def test_dropped_packets_while_planning(self):
-        self.short(Mission("rendezvous-2d", 3, sets=("planner.round_s=0.1",), realtime=1.0), "planning",
+        self.short(Mission("rendezvous-2d", 3, sets=("planner.round_s=8",), realtime=80.0), "planning",
                    faults.cut_off, "packets dropped")
 
     def test_a_link_that_is_down_shorter_than_the_deadline(self):

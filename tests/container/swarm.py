@@ -13,14 +13,17 @@ _PROGRESS = re.compile(r"progress (\{.*\})")
 
 
 def until(condition, limit_s, what):
-    """Polls until `condition` gives something true, and gives that back; an AssertionError names `what` after `limit_s`."""
+    """Polls until `condition` gives something true, and gives that back; after `limit_s` an AssertionError names `what`.
+
+    `what` is a text, or gives one.
+    """
     pause = threading.Event()
     for _ in range(int(limit_s / 0.1) + 1):
         found = condition()
         if found:
             return found
         pause.wait(0.1)
-    raise AssertionError(f"not within {limit_s} s: {what}")
+    raise AssertionError(f"not within {limit_s} s: {what() if callable(what) else what}")
 
 
 class Container:
@@ -51,7 +54,7 @@ class Container:
 
     def says(self, text, limit_s=60):
         """Waits until its log contains the text."""
-        until(lambda: text in self.log(), limit_s, f"'{text}' in the log of {self.name}:\n{self.log()[-2000:]}")
+        until(lambda: text in self.log(), limit_s, lambda: f"'{text}' in the log of {self.name}:\n{self.log()[-2000:]}")
 
     def file(self, path):
         """The text of a file in it, running or not."""
@@ -75,7 +78,7 @@ class World(Container):
             said = self.progress()
             return said["phase"] == "finished" or (said["phase"] == phase and said[counter] >= at) or (
                 phase == "planning" and said["phase"] == "flying")
-        until(there, limit_s, f"{phase} {at} of {self.name}:\n{self.log()[-2000:]}")
+        until(there, limit_s, lambda: f"{phase} {at} of {self.name}:\n{self.log()[-2000:]}")
 
     def report(self):
         return json.loads(self.file("/runs/out/report.json"))
@@ -110,9 +113,8 @@ class Swarm:
                         "-e", f"SKEIN_SWARM={self.swarm}", *options, self.image, *words)
         return kind(self.engine, name)
 
-    def start_world(self, *flags, options=()):
-        return self.container(World, "world", "skein-simworld", *self.arguments, "--out", "/runs/out", *flags,
-                              options=options)
+    def start_world(self, *flags, options=(), out="/runs/out"):
+        return self.container(World, "world", "skein-simworld", *self.arguments, "--out", out, *flags, options=options)
 
     def start_agent(self, *flags, options=()):
         agent = self.container(Container, "agent", "skein-agent", *flags, options=options)
