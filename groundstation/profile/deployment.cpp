@@ -7,14 +7,12 @@ namespace {
 
 std::vector<Setting> on_one_host() {
   return {{"SKEIN_PROFILE", "udp", "nothing in /dev/shm; shm is an option on one machine"},
-          {"SKEIN_STARTUP_TIMEOUT", "30", "seconds until all agents must be matched"},
-          {"SKEIN_WORLD_TIMEOUT", "30", "seconds without a tick before an agent ends"}};
+          {"SKEIN_STARTUP_TIMEOUT", "30", "seconds until all agents must be matched"}};
 }
 
 std::vector<Setting> in_containers() {
   return {{"SKEIN_PROFILE", "udp", "containers share no memory"},
-          {"SKEIN_STARTUP_TIMEOUT", "120", "seconds until all agents must be matched: containers start one by one"},
-          {"SKEIN_WORLD_TIMEOUT", "60", "seconds without a tick before an agent ends: a world may be started anew"}};
+          {"SKEIN_STARTUP_TIMEOUT", "120", "seconds until all agents must be matched: containers start one by one"}};
 }
 
 }  // namespace

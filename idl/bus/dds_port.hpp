@@ -108,6 +108,8 @@ class DdsWorldPort final : public WorldPort {
 
   [[nodiscard]] int wake_fd() const;
   [[nodiscard]] bool flush(std::chrono::milliseconds limit);
+  /// Whether an observer reads the ticks: best effort, so that it may miss one.
+  [[nodiscard]] bool observed() const;
   /// Why this process must end with exit code 3, in one line: another world of the swarm that started earlier.
   [[nodiscard]] std::optional<std::string> conflict() const;
   [[nodiscard]] std::uint64_t lost() const;

@@ -49,7 +49,8 @@ class ContainerCase(unittest.TestCase):
         """The report of the same run in one process, without any fault."""
         key = (mission.scenario, mission.seed, mission.sets)
         if key not in Suite.references:
-            with Swarm(Suite.engine, Suite.image, mission.scenario, mission.agents, mission.seed, mission.sets) as alone:
+            swarm = Swarm(Suite.engine, Suite.image, mission.scenario, mission.agents, mission.seed, mission.sets)
+            with swarm as alone:
                 Suite.references[key] = alone.in_process()
         return Suite.references[key]
 

@@ -29,8 +29,9 @@ class Composition:
         self._compose("down", "-v")
 
     def _compose(self, *words):
-        return subprocess.run([*self.words, *words], env=self.environment, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300, check=False).stdout.decode()
+        done = subprocess.run([*self.words, *words], env=self.environment, stdin=subprocess.DEVNULL, timeout=300,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        return done.stdout.decode()
 
     def up(self):
         return self._compose("up", "-d")

@@ -1,9 +1,9 @@
 """The container engine as the tests use it: podman, or docker, driven over its command line.
 
 Environment: SKEIN_ENGINE (podman or docker; default: the first that works), SKEIN_ENGINE_OPTIONS (words before each
-command), SKEIN_CONTAINER_CACHE (folder; default ~/.cache/skein/containers). What podman needs on such a machine stands in
-files of the tests' own, in the cache: nothing of the host's configuration is read or written, and images and containers
-are in a store of their own.
+command), SKEIN_CONTAINER_CACHE (folder; default ~/.cache/skein/containers). What podman needs on such a machine stands
+in files of the tests' own, in the cache: nothing of the host's configuration is read or written, and images and
+containers are in a store of their own.
 """
 
 import json

@@ -1,8 +1,8 @@
 """The images: a plain Debian 12 made of packages where none can be pulled, and Skein's, from the Containerfile.
 
-Both are kept in the engine's store between runs. The base is named by what goes into it (release, packages, sources); the
-engine's layer cache knows when Skein's is still the one of this tree. SKEIN_IMAGE and SKEIN_DISCOVERY_IMAGE name images
-that are there already.
+Both are kept in the engine's store between runs. The base is named by what goes into it (release, packages, sources);
+the engine's layer cache knows when Skein's is still the one of this tree. SKEIN_IMAGE and SKEIN_DISCOVERY_IMAGE name
+images that are there already.
 """
 
 import hashlib

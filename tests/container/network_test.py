@@ -10,6 +10,10 @@ _COARSE = Mission("rendezvous-2d", 3, sets=("step_s=5", "planner.generations=20"
 _SHORT = Mission("rendezvous-2d", 3, sets=("lockstep.deadline_s=3",), realtime=25.0)
 
 
+def pace_of(report):
+    return f"discovery {report['discovery_s']:.1f} s, {report['steps_per_s']:.0f} steps/s"
+
+
 class Network(ContainerCase):
     def lossy(self, mission, probability, whose):
         swarm = self.swarm(mission)
@@ -22,8 +26,7 @@ class Network(ContainerCase):
         dropped = sum(faults.dropped_packets(member) for member in members if member.running())
         report = self.assert_undisturbed(world, swarm, mission, limit_s=300)
         note(f"{probability:.0%} of the packets to {whose} lost", f"{mission.scenario}, {mission.agents} agents",
-             f"same state hash; {dropped} packets lost until the flight began; discovery {report['discovery_s']:.1f} s, "
-             f"{report['steps_per_s']:.0f} steps/s")
+             f"same state hash; {dropped} packets lost until the flight began; {pace_of(report)}")
 
     def test_one_percent_of_the_packets_are_lost(self):
         self.lossy(_COARSE, 0.01, "everybody")
@@ -42,8 +45,8 @@ class Network(ContainerCase):
                 agents = swarm.start_agents()
                 faults.throttle(agents[0])
                 report = self.assert_undisturbed(world, swarm, mission, limit_s=300)
-                note("one agent sends through a token bucket of 250 kbit/s", f"{mission.scenario}, {mission.agents} agents",
-                     f"same state hash; discovery {report['discovery_s']:.1f} s, {report['steps_per_s']:.0f} steps/s")
+                note("one agent sends through a token bucket of 250 kbit/s",
+                     f"{mission.scenario}, {mission.agents} agents", f"same state hash; {pace_of(report)}")
 
     def short(self, mission, phase, fault, name):
         """The fault holds for three seconds of the default deadline of ten."""

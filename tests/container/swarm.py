@@ -13,9 +13,9 @@ _PROGRESS = re.compile(r"progress (\{.*\})")
 
 
 def until(condition, limit_s, what):
-    """Polls until `condition` gives something true, and gives that back; after `limit_s` an AssertionError names `what`.
+    """Polls until `condition` gives something true, and gives that back.
 
-    `what` is a text, or gives one.
+    After `limit_s` an AssertionError names `what`, which is a text or gives one.
     """
     pause = threading.Event()
     for _ in range(int(limit_s / 0.1) + 1):

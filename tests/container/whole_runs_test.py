@@ -16,7 +16,8 @@ class WholeRuns(ContainerCase):
         report = self.assert_undisturbed(world, swarm, mission)
         ids = [int(_INTRODUCED.search(agent.log())[1]) for agent in swarm.agents]
         self.assertEqual(sorted(ids), list(range(1, mission.agents + 1)))
-        note("nothing", f"{mission.scenario}, {mission.agents} agents", f"state hash {report['state_hash']} as in process")
+        note("nothing", f"{mission.scenario}, {mission.agents} agents",
+             f"state hash {report['state_hash']} as in process")
 
     def test_rendezvous(self):
         self.whole(RENDEZVOUS)
@@ -56,4 +57,5 @@ class WholeRuns(ContainerCase):
         for world, swarm, mission in zip(worlds, (first, second), missions):
             report = self.assert_undisturbed(world, swarm, mission)
             self.assertEqual(report["refused_samples"], 0)
-        note("another swarm in the same DDS domain and network", "rendezvous-2d, twice", "both: same state hash, 0 samples refused")
+        note("another swarm in the same DDS domain and network", "rendezvous-2d, twice",
+             "both: same state hash, 0 samples refused")
