@@ -2,16 +2,18 @@
 
 import contextlib
 import os
+import re
 import signal
 import subprocess
 
 
 def _inside(container, *words):
-    """Runs a command of the host in the container's network namespace."""
+    """Runs a command of the host in the container's network namespace. @return what it printed"""
     done = subprocess.run(["nsenter", "-t", str(container.pid()), "-n", *words], capture_output=True, text=True,
                           stdin=subprocess.DEVNULL, timeout=30, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(words)} in {container.name}: {done.stderr.strip()}")
+    return done.stdout
 
 
 _CHAINS = (("INPUT", "-i"), ("OUTPUT", "-o"))
@@ -53,10 +55,14 @@ def throttle(container, rate="250kbit"):
 
 
 def dropped_packets(container):
-    """Packets that the rules of the container's namespace have dropped so far."""
-    listed = subprocess.run(["nsenter", "-t", str(container.pid()), "-n", "iptables", "-w", "-nvxL"],
-                            capture_output=True, text=True, timeout=30, check=True).stdout
+    """How many packets the rules of the container's namespace have dropped so far."""
+    listed = _inside(container, "iptables", "-w", "-nvxL")
     return sum(int(line.split()[0]) for line in listed.splitlines() if " DROP " in line)
+
+
+def held_back(container):
+    """How often the token bucket had to let a packet wait so far."""
+    return int(re.search(r"overlimits (\d+)", _inside(container, "tc", "-s", "qdisc", "show", "dev", "eth0"))[1])
 
 
 def kill_process(container):

@@ -1,6 +1,7 @@
 """Faults of a machine: a full disk under the report, and clocks that differ."""
 
 import os
+from datetime import datetime
 from pathlib import Path
 
 from case import RENDEZVOUS, ContainerCase, note
@@ -15,6 +16,11 @@ def shifted(shift):
         raise RuntimeError(f"{library} is not here; deploy/setup.sh container installs it")
     return ("-v", f"{library}:/faketime.so:ro", "-e", "LD_PRELOAD=/faketime.so", "-e", f"FAKETIME={shift}",
             "-e", "FAKETIME_DONT_FAKE_MONOTONIC=1", "-e", "DONT_FAKE_MONOTONIC=1")
+
+
+def clock_of(container):
+    """The wall clock that its first line of log shows."""
+    return datetime.fromisoformat(container.log()[:23])
 
 
 class Machine(ContainerCase):
@@ -33,8 +39,9 @@ class Machine(ContainerCase):
     def test_clocks_that_differ_by_an_hour(self):
         swarm = self.swarm(RENDEZVOUS)
         world = swarm.start_world(options=shifted("-1h"))
-        for shift in ("+1h", "+0h", "-3h"):
-            swarm.start_agent(options=shifted(shift))
+        agents = [swarm.start_agent(options=shifted(shift)) for shift in ("+1h", "+0h", "-3h")]
         self.assert_undisturbed(world, swarm, RENDEZVOUS)
+        hours = [round((clock_of(agent) - clock_of(agents[1])).total_seconds() / 3600) for agent in (world, *agents)]
+        self.assertEqual(hours, [-1, 1, 0, -3])
         note("wall clocks an hour behind, right, an hour and three hours off (libfaketime)", "rendezvous-2d",
              "same state hash")

@@ -44,6 +44,7 @@ class Network(ContainerCase):
                 world = swarm.start_world()
                 agents = swarm.start_agents()
                 faults.throttle(agents[0])
+                until(lambda: faults.held_back(agents[0]), 60, "the token bucket holds packets back")
                 report = self.assert_undisturbed(world, swarm, mission, limit_s=300)
                 note("one agent sends through a token bucket of 250 kbit/s",
                      f"{mission.scenario}, {mission.agents} agents", f"same state hash; {pace_of(report)}")
@@ -57,6 +58,8 @@ class Network(ContainerCase):
         chosen = random.Random(mission.scenario + name).choice([world, *agents])
         with fault(chosen):
             self.stays(world, 3.0)
+            if fault is faults.cut_off:
+                self.assertGreater(faults.dropped_packets(chosen), 0)
         self.assert_undisturbed(world, swarm, mission)
         note(f"{name} of {'the world' if chosen is world else 'an agent'} for 3 s in {phase}, deadline 10 s",
              f"{mission.scenario}, {mission.agents} agents", "same state hash")
