@@ -7,6 +7,7 @@ from case import ContainerCase, Mission, Suite, note
 from image import ROOT, ensure_discovery_image
 from swarm import Container, World, until
 
+PROJECT = "com.docker.compose.project"
 _COMMANDS = {"podman": ["podman-compose"], "docker": ["docker", "compose"]}
 
 
@@ -14,7 +15,7 @@ class Composition:
     """One project of podman-compose or docker compose; gone with its scope."""
 
     def __init__(self, files, agents):
-        self.project = f"skein{uuid.uuid4().hex[:8]}"
+        self.project = f"skeintest{uuid.uuid4().hex[:8]}"
         self.words = list(_COMMANDS[Suite.engine.name])
         for name in files:
             self.words += ["-f", str(ROOT / "deploy" / name)]
@@ -27,6 +28,7 @@ class Composition:
 
     def __exit__(self, *_):
         self._compose("down", "-v")
+        Suite.engine.remove_all(f"{PROJECT}={self.project}")  # Debian's podman-compose leaves the network
 
     def _compose(self, *words):
         done = subprocess.run([*self.words, *words], env=self.environment, stdin=subprocess.DEVNULL, timeout=300,
@@ -38,7 +40,7 @@ class Composition:
 
     def members(self, service, kind=Container):
         names = Suite.engine.run("ps", "-a", "--format", "{{.Names}}", "--filter",
-                                 f"label=com.docker.compose.project={self.project}").split()
+                                 f"label={PROJECT}={self.project}").split()
         return [kind(Suite.engine, name) for name in names if service in name.replace("-", "_").split("_")]
 
 

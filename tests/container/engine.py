@@ -21,6 +21,7 @@ log_driver = "k8s-file"
 runtime = "runc"
 cgroup_manager = "cgroupfs"
 events_logger = "file"
+lock_type = "file"
 tmp_dir = "{cache}/run/libpod"
 [network]
 network_backend = "cni"
@@ -100,6 +101,12 @@ class Engine:
 
     def inspect(self, container):
         return json.loads(self.run("inspect", container))[0]
+
+    def labels_of_networks(self, label):
+        """The values of that label, one for each network that has it."""
+        networks = self.run("network", "ls", "-q", "--filter", f"label={label}").split()
+        listed = json.loads(self.run("network", "inspect", *networks)) if networks else []
+        return [(network.get("labels") or network.get("Labels"))[label] for network in listed]
 
     def remove_all(self, label):
         """Ends and removes every container and network that carries the label."""

@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 from case import Suite
+from compose_test import PROJECT
 from engine import Engine
 from image import ensure_base, ensure_image
 from swarm import LABEL
@@ -23,6 +24,14 @@ def table(rows):
     """The rows in Markdown."""
     lines = ["| injected | run | what happened |", "| --- | --- | --- |"]
     return "\n".join(lines + [f"| {' | '.join(row)} |" for row in rows])
+
+
+def remove_leftovers(engine):
+    """What a suite that was killed has left behind."""
+    engine.remove_all(LABEL)
+    for project in engine.labels_of_networks(PROJECT):
+        if project.startswith("skeintest"):
+            engine.remove_all(f"{PROJECT}={project}")
 
 
 def print_environment():
@@ -53,10 +62,10 @@ def main():
     engine.cache.mkdir(parents=True, exist_ok=True)
     with open(engine.cache / "lock", "w", encoding="utf-8") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # one suite at a time: what carries the label is of one that was killed
-        engine.remove_all(LABEL)
+        remove_leftovers(engine)
         Suite.engine, Suite.image = engine, ensure_image(engine)
         result = unittest.TextTestRunner(verbosity=2, stream=sys.stderr).run(tests)
-        engine.remove_all(LABEL)
+        remove_leftovers(engine)
     print(table(Suite.rows))
     return 0 if result.wasSuccessful() else 1
 
