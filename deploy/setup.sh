@@ -1,17 +1,23 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that Skein needs, and nothing if they are there already (then it needs no network).
 #
-# usage: deploy/setup.sh [build|check|figures]   what to set up for: to build and run (default), to run the tests too,
-#                                                or to draw the figures of docs/figures
+# usage: deploy/setup.sh [build|check|container|figures]
+#   what to set up for: to build and run (default), to run the tests too, to run those in containers as well, or to draw
+#   the figures of docs/figures. With SKEIN_ENGINE=docker, containers need no engine of Debian's.
 set -euo pipefail
 
 build_packages=(
   g++ cmake ninja-build pkg-config
   libfastrtps-dev libfastcdr-dev fastddsgen default-jre-headless # DDS; the generator of wire structs runs on Java
-  libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev libyaml-cpp-dev
+  libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libyaml-cpp-dev
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
 check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3)
+container_packages=(python3 iptables iproute2 util-linux libfaketime) # faults are injected from outside
+if [[ ${SKEIN_ENGINE:-podman} == podman ]]; then
+  container_packages+=(podman runc containernetworking-plugins golang-github-containernetworking-plugin-dnsname
+    podman-compose mmdebstrap)
+fi
 figures_packages=(gnuplot-nox)
 
 purpose=${1:-build}
@@ -58,8 +64,9 @@ install_missing() { apt install --no-install-recommends --no-remove "${missing[@
 case $purpose in
   build) packages=("${build_packages[@]}") ;;
   check) packages=("${build_packages[@]}" "${check_packages[@]}") ;;
+  container) packages=("${build_packages[@]}" "${check_packages[@]}" "${container_packages[@]}") ;;
   figures) packages=("${build_packages[@]}" "${figures_packages[@]}") ;;
-  *) fail "unknown purpose '$purpose'; allowed: build, check, figures" ;;
+  *) fail "unknown purpose '$purpose'; allowed: build, check, container, figures" ;;
 esac
 
 system=$(. /etc/os-release 2>/dev/null && printf '%s %s' "${ID:-unknown}" "${VERSION_ID:-}") || system=unknown

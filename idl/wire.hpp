@@ -25,6 +25,7 @@ using v5::Beacon;
 using v5::CellBlock;
 using v5::Crossing;
 using v5::DirectedPoint;
+using v5::GivenId;
 using v5::Ground;
 using v5::Header;
 using v5::HeardPeer;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <csignal>
 #include <memory>
+#include <variant>
 
 #include "agent/runtime/agent_session.hpp"
+#include "agent/runtime/id_request.hpp"
 #include "idl/process/dds_config.hpp"
 #include "idl/process/id_list.hpp"
 #include "idl/process/poll.hpp"
@@ -129,9 +131,55 @@ int goodbye(Sessions& sessions, bus::DdsAgentGroup& group) {
   return sessions.any(AgentSession::State::Dropped) ? kLost : 0;
 }
 
-int serve(const AgentArguments& arguments) {
+/// Whether the process has waited for a world for too long, and says so.
+bool lacks_world(const AgentArguments& arguments, bool heard, double heard_s) {
+  const double default_s = heard ? kWorldTimeout_s : arguments.common.startup_timeout_s;
+  const double limit_s = arguments.world_timeout_s.value_or(default_s);
+  if (steady_now_s() - heard_s <= limit_s) return false;
+  spdlog::error("no tick of a world for {} s", limit_s);
+  return true;
+}
+
+/// The id that the world gives to `nonce`, over a participant that is gone when this returns: who has an id is matched
+/// otherwise. @return the exit code of a process that gets none
+std::variant<AgentId, int> ask_for_id(const AgentArguments& arguments, std::uint64_t nonce,
+                                      const SignalWatch& signals) {
+  const std::vector<AgentId> nobody{kWorldId};
+  bus::DdsAgentGroup group(dds_config(arguments.common, kWorldId, random_id()), nobody);
+  IdRequest request(nonce, group.port(0), steady_now_s());
+  spdlog::info("an agent without id asks swarm {} in domain {} for one", swarm_of(arguments.common),
+               arguments.common.domain);
+  for (double idle_s = 0.0;;) {
+    wait_readable({group.wake_fd(), signals.fd()}, idle_s);
+    if (const auto signal = signals.take()) {
+      request.leave(steady_now_s());
+      spdlog::info("ended by signal {}{}, without an id", *signal,
+                   group.flush(std::chrono::milliseconds(500)) ? "" : ", unheard");
+      return 128 + *signal;
+    }
+    if (const auto conflict = group.conflict()) {
+      spdlog::error("{}", *conflict);
+      return kStartUp;
+    }
+    request.poll(steady_now_s());
+    if (request.id()) return *request.id();
+    if (request.over()) {
+      spdlog::error("the world ended before it had an id for this agent");
+      return kStartUp;
+    }
+    if (lacks_world(arguments, request.heard_world(), request.heard_world_s())) return kStartUp;
+    idle_s = request.idle_s(steady_now_s());
+  }
+}
+
+int serve(AgentArguments arguments) {
   const SignalWatch signals({SIGINT, SIGTERM});
   const std::uint64_t nonce = random_id();
+  if (arguments.ids.empty()) {
+    const auto given = ask_for_id(arguments, nonce, signals);
+    if (const auto* exit_code = std::get_if<int>(&given)) return *exit_code;
+    arguments.ids = {std::get<AgentId>(given)};
+  }
   Turn turn;
   bus::DdsAgentGroup group(dds_config(arguments.common, arguments.ids.front(), nonce), arguments.ids,
                            [&turn] { return turn.take(); });
@@ -157,12 +205,7 @@ int serve(const AgentArguments& arguments) {
       return kStartUp;
     }
     if (!serve_sessions()) return goodbye(sessions, group);
-    const double default_s = sessions.heard_world() ? kWorldTimeout_s : arguments.common.startup_timeout_s;
-    const double limit_s = arguments.world_timeout_s.value_or(default_s);
-    if (steady_now_s() - sessions.heard_world_s() > limit_s) {
-      spdlog::error("no tick of a world for {} s", limit_s);
-      return kStartUp;
-    }
+    if (lacks_world(arguments, sessions.heard_world(), sessions.heard_world_s())) return kStartUp;
     idle_s = sessions.idle_s(steady_now_s());
   }
 }
@@ -170,7 +213,8 @@ int serve(const AgentArguments& arguments) {
 }  // namespace
 
 int run_agent(const AgentArguments& arguments) {
-  start_log(fmt::format("skein-agent-{}", text_of(arguments.ids)), arguments.common);
+  start_log(arguments.ids.empty() ? "skein-agent" : fmt::format("skein-agent-{}", text_of(arguments.ids)),
+            arguments.common);
   try {
     return serve(arguments);
   } catch (const std::exception& error) {

@@ -37,7 +37,7 @@ void ObservedRun::on_sample(const wire::Tick& sample) {
 
 void ObservedRun::on_sample(const wire::Beacon& sample) {
   std::optional<Beacon> beacon = read<Beacon>(sample);
-  if (!beacon) return;
+  if (!beacon || beacon->agent == kWorldId) return;  // who asks for an id is nobody yet
   Beacon& known = beacons_[beacon->agent];
   if (beacon->round >= known.round) known = *std::move(beacon);
 }

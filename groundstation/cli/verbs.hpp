@@ -10,6 +10,7 @@ namespace skein {
 using VerbAction = std::function<int()>;
 
 [[nodiscard]] VerbAction add_doctor_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_profile_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_run_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_sweep_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_validate_verb(CLI::App& app);

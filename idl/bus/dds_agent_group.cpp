@@ -13,7 +13,8 @@ namespace {
 PeerInfo self(const DdsConfig& config, std::span<const AgentId> ids) {
   if (ids.empty()) throw std::invalid_argument("a process of agents needs one at least");
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (ids[i] < 1 || ids[i] > kMaxAgents) {
+    const bool asks_for_id = ids[i] == kWorldId && ids.size() == 1;
+    if (!asks_for_id && (ids[i] < 1 || ids[i] > kMaxAgents)) {
       throw std::invalid_argument("agent id " + std::to_string(ids[i]) + " is not in 1 to " +
                                   std::to_string(kMaxAgents));
     }

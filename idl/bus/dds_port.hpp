@@ -44,6 +44,7 @@ struct DdsConfig {
 class DdsAgentGroup {
  public:
   /// Agent i of `ids` (ascending, each once) has nonce `config.nonce` + i; `config.id` is not used.
+  /// A single id may be 0: of a process that asks for one, to which no sense sample goes.
   /// @throws std::invalid_argument for a config out of range (ids 1 to kMaxAgents), std::runtime_error if DDS cannot
   /// make the participant or an endpoint.
   /// @param delivery called by the thread of DDS that brings what the ports wait for, not only their owner's thread;
@@ -107,6 +108,8 @@ class DdsWorldPort final : public WorldPort {
 
   [[nodiscard]] int wake_fd() const;
   [[nodiscard]] bool flush(std::chrono::milliseconds limit);
+  /// Whether an observer reads the ticks: best effort, so that it may miss one.
+  [[nodiscard]] bool observed() const;
   /// Why this process must end with exit code 3, in one line: another world of the swarm that started earlier.
   [[nodiscard]] std::optional<std::string> conflict() const;
   [[nodiscard]] std::uint64_t lost() const;

@@ -104,6 +104,10 @@ bool DdsWorldPort::flush(std::chrono::milliseconds limit) {
          impl_->representative_out.flush(deadline.left_s()) && impl_->map_out.flush(deadline.left_s());
 }
 
+bool DdsWorldPort::observed() const {
+  return impl_->book.observed();
+}
+
 std::optional<std::string> DdsWorldPort::conflict() const {
   return impl_->book.conflict();
 }

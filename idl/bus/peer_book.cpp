@@ -82,6 +82,16 @@ std::vector<std::uint64_t> PeerBook::matched_nonces(double now_s) const {
   return nonces;
 }
 
+bool PeerBook::observed() const {
+  const auto ticks = static_cast<std::size_t>(std::countr_zero(endpoint_bit(TopicId::Tick, true)));
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(peers_, [&](const auto& entry) {
+    const Peer& peer = entry.second;
+    if (peer.info && peer.info->role != Role::Observer) return false;
+    return std::ranges::any_of(peer.found, [&](const auto& endpoint) { return endpoint.second == ticks; });
+  });
+}
+
 std::optional<std::string> PeerBook::conflict() const {
   const std::lock_guard lock(mutex_);
   for (const auto& [process, peer] : peers_) {

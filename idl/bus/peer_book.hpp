@@ -48,6 +48,9 @@ class PeerBook {
   /// process's. @param now_s of the same steady clock as in found()
   [[nodiscard]] std::vector<std::uint64_t> matched_nonces(double now_s) const;
 
+  /// Whether somebody who has no part in a run reads this process's ticks.
+  [[nodiscard]] bool observed() const;
+
   /// Why this process must not take part, in one line, or nothing. For an agent: a world of its swarm has another wire
   /// version. For a world: another world of its swarm started earlier (the lower nonce, if at the same time).
   [[nodiscard]] std::optional<std::string> conflict() const;

@@ -13,9 +13,10 @@ bool ascends(const std::vector<std::uint64_t>& nonces) {
 }
 
 void check_origin(Checker& check, const wire::Beacon& sample) {
-  check.agent(sample.agent(), "beacon.agent");
-  check.sender(sample.head(), sample.agent(), "beacon.head.sender");
   const bool introduction = sample.head().incarnation() == 0;
+  const bool asks_for_id = introduction && sample.agent() == kWorldId;
+  if (!asks_for_id) check.agent(sample.agent(), "beacon.agent");
+  check.sender(sample.head(), sample.agent(), "beacon.head.sender");
   if (!introduction || sample.head().run() != 0) check.run(sample.head().run(), "beacon.head.run");
   if (!introduction) {
     check.incarnation(sample.agent(), sample.head().incarnation(), sample.nonce(), "beacon.head.incarnation");

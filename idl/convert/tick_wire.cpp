@@ -20,6 +20,7 @@ void check_roster(Checker& check, const std::vector<wire::LiveAgent>& roster) {
 wire::Tick to_wire(const Tick& tick, const Stamp& stamp) {
   require_bound(tick.roster.size(), wire::kMaxVehicles, "tick.roster");
   require_bound(tick.refused.size(), wire::kMaxRefused, "tick.refused");
+  require_bound(tick.assigned.size(), wire::kMaxVehicles, "tick.given");
   wire::Tick out;
   out.head(wire_head(tick.run, stamp.stamp_ns, kWorldId, 0));
   out.step(tick.step);
@@ -42,6 +43,11 @@ wire::Tick to_wire(const Tick& tick, const Stamp& stamp) {
     out.refused()[i].nonce(tick.refused[i].nonce);
     out.refused()[i].reason(static_cast<std::uint8_t>(tick.refused[i].reason));
   }
+  out.given().resize(tick.assigned.size());
+  for (std::size_t i = 0; i < tick.assigned.size(); ++i) {
+    out.given()[i].nonce(tick.assigned[i].nonce);
+    out.given()[i].agent(tick.assigned[i].agent);
+  }
   out.world_hash(tick.world_hash);
   if (tick.outcome) {
     require_bound(tick.outcome->reason.size(), wire::kMaxReason, "tick.reason");
@@ -59,12 +65,14 @@ Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context) {
   check.within(sample.time_s(), 0.0, limits::kTime_s, "tick.time_s");
   check.size_at_most(sample.roster().size(), wire::kMaxVehicles, "tick.roster");
   check.size_at_most(sample.refused().size(), wire::kMaxRefused, "tick.refused");
+  check.size_at_most(sample.given().size(), wire::kMaxVehicles, "tick.given");
   check.text(sample.reason().c_str(), "tick.reason");
   if (!check.ok()) return check.fault();
   check_roster(check, sample.roster());
   for (const wire::TurnedAway& refusal : sample.refused()) {
     check.enumerator(refusal.reason(), RefusalReason::IdInUse, RefusalReason::RunStarted, "tick.refused.reason");
   }
+  for (const wire::GivenId& given : sample.given()) check.agent(given.agent(), "tick.given.agent");
   if (!check.ok()) return check.fault();
 
   Tick out;
@@ -81,6 +89,7 @@ Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context) {
   for (const wire::TurnedAway& refusal : sample.refused()) {
     out.refused.push_back({refusal.nonce(), static_cast<RefusalReason>(refusal.reason())});
   }
+  for (const wire::GivenId& given : sample.given()) out.assigned.push_back({given.nonce(), given.agent()});
   out.world_hash = sample.world_hash();
   if (out.phase == Phase::Finished) out.outcome = Outcome{sample.exit_code(), sample.reason().to_string()};
   return out;

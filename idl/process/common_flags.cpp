@@ -34,12 +34,14 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
       ->envname("SKEIN_SWARM")
       ->check(check_swarm);
   app.add_option("--profile", flags.profile, "transport: udp or shm")
+      ->envname("SKEIN_PROFILE")
       ->check(CLI::IsMember({"udp", "shm"}))
       ->capture_default_str();
   app.add_option("--log-level", flags.log_level, "debug, info, warn, error or off")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
   app.add_option("--startup-timeout", flags.startup_timeout_s, "seconds until all agents must be matched")
+      ->envname("SKEIN_STARTUP_TIMEOUT")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
 }

@@ -17,7 +17,8 @@ struct CommonFlags {
   double startup_timeout_s = 30.0;
 };
 
-/// Adds --domain (SKEIN_DOMAIN), --swarm (SKEIN_SWARM), --profile, --log-level, --startup-timeout, checked.
+/// Adds --domain (SKEIN_DOMAIN), --swarm (SKEIN_SWARM), --profile (SKEIN_PROFILE), --log-level, --startup-timeout
+/// (SKEIN_STARTUP_TIMEOUT), checked.
 void add_common_flags(CLI::App& app, CommonFlags& flags);
 
 /// The same flags as arguments for a child process.

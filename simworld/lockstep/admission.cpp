@@ -22,7 +22,31 @@ void Admission::refuse(std::uint64_t nonce, RefusalReason reason) {
   if (std::ranges::find(refused_, nonce, &Refusal::nonce) == refused_.end()) refused_.push_back({nonce, reason});
 }
 
+/// Holds an id for the nonce, if it has none yet and one is free, and tells it.
+void Admission::assign(std::uint64_t nonce, double now_s) {
+  const auto is_own = [&](const auto& entry) { return entry.second.nonce == nonce; };
+  auto held = std::ranges::find_if(holders_, is_own);
+  if (held == holders_.end()) {
+    const auto is_free = [&](AgentId id) {
+      const auto holder = holders_.find(id);
+      return holder == holders_.end() || (!holder->second.live && now_s - holder->second.heard_s >= silence_s_);
+    };
+    const auto id = std::ranges::find_if(ids_, is_free);
+    if (id == ids_.end()) return;
+    held = holders_.insert_or_assign(*id, Holder{}).first;
+    held->second.nonce = nonce;
+  }
+  held->second.heard_s = now_s;
+  if (std::ranges::find(assigned_, nonce, &Assignment::nonce) == assigned_.end()) {
+    assigned_.push_back({nonce, held->first});
+  }
+}
+
 bool Admission::introduce(const Beacon& beacon, double now_s, std::uint32_t round) {
+  if (beacon.agent == kWorldId) {
+    assign(beacon.nonce, now_s);
+    return true;
+  }
   if (!std::ranges::binary_search(ids_, beacon.agent)) {
     refuse(beacon.nonce, RefusalReason::UnknownId);
     return false;
@@ -168,6 +192,10 @@ std::optional<std::vector<RosterEntry>> Admission::roster(std::span<const std::u
   std::vector<RosterEntry> roster;
   for (const auto& [id, holder] : holders_) roster.push_back({id, 1, holder.nonce, false, false});
   return roster;
+}
+
+std::vector<Assignment> Admission::take_assigned() {
+  return std::exchange(assigned_, {});
 }
 
 std::vector<Refusal> Admission::take_refused() {

@@ -1,9 +1,11 @@
 // Who may take part: agents introduce themselves, and the run starts when all are matched with one another.
 //
-// An agent introduces itself by beacons with incarnation 0 and a nonce of its own. The first process with an id holds
-// it; a newcomer with a held id is refused as soon as the holder is heard after it, and takes the id over when the
-// holder stays silent for the deadline. Ready: every vehicle's agent has the mission, and every pair of processes, the
-// world included, says of each other that all endpoints are matched.
+// An agent introduces itself by beacons with incarnation 0 and a nonce of its own. One without an id says 0 for it: the
+// lowest id that nobody holds is held for its nonce from then on and told in the next tick, again at each of its
+// introductions; when all are held it waits for one. It goes on as any other process with that id. The first process
+// with an id holds it; a newcomer with a held id is refused as soon as the holder is heard after it, and takes the id
+// over when the holder stays silent for the deadline. Ready: every vehicle's agent has the mission, and every pair of
+// processes, the world included, says of each other that all endpoints are matched.
 //
 // Once the run has started, a live agent holds its id: a newcomer waits, is refused when the holder answers a later
 // tick, and takes the id over when the holder is lost. Who was dropped may come back under its old nonce once it has
@@ -27,7 +29,7 @@ class Admission {
   Admission(std::uint64_t run, std::uint64_t world_nonce, std::vector<AgentId> ids, double silence_s);
 
   /// Takes an introduction (incarnation 0) that arrived at `now_s`, while round `round` is open.
-  /// @return whether its id is held by another process
+  /// @return whether the newcomer must hear a tick to go on: its id is held by another process, or it asks for one
   bool introduce(const Beacon& beacon, double now_s, std::uint32_t round = 0);
   /// A process that is not live said goodbye: it no longer holds its id.
   void forget(std::uint64_t nonce);
@@ -65,6 +67,8 @@ class Admission {
   [[nodiscard]] std::string obstacles(std::span<const std::uint64_t> world_matched) const;
   /// The refusals that came up since the last call.
   [[nodiscard]] std::vector<Refusal> take_refused();
+  /// The ids that processes without one have asked for since the last call.
+  [[nodiscard]] std::vector<Assignment> take_assigned();
 
  private:
   struct Holder {
@@ -79,6 +83,7 @@ class Admission {
   static void challenge(Holder& holder, std::uint64_t nonce, std::uint32_t round);
   [[nodiscard]] bool complete(AgentId id, std::span<const std::uint64_t> world_matched) const;
   void refuse(std::uint64_t nonce, RefusalReason reason);
+  void assign(std::uint64_t nonce, double now_s);
 
   std::uint64_t run_;
   std::uint64_t world_nonce_;
@@ -89,6 +94,7 @@ class Admission {
   std::map<AgentId, std::uint32_t> incarnations_;     ///< given so far
   std::map<std::uint64_t, std::uint32_t> gone_from_;  ///< nonces that were lost: the first round without them
   std::vector<Refusal> refused_;
+  std::vector<Assignment> assigned_;
 };
 
 }  // namespace skein

@@ -98,8 +98,8 @@ void WorldSession::on_sample(const wire::Beacon& sample, double now_s) {
     return;
   }
   if (beacon.incarnation == 0) {
-    const bool challenges = admission_.introduce(beacon, now_s, tick_.round);
-    if (challenges && state_ == State::Running && beacon.round == 0) pause_until_s_ = now_s + kPause_s;
+    const bool waits = admission_.introduce(beacon, now_s, tick_.round);
+    if (waits && state_ == State::Running && beacon.round == 0) pause_until_s_ = now_s + kPause_s;
     return;
   }
   if (!beacon.closes_round) return repeat(repeats_.asked_by(beacon), now_s);
@@ -266,6 +266,7 @@ void WorldSession::publish_mission(double now_s) {
 
 void WorldSession::publish_tick(double now_s) {
   tick_.refused = admission_.take_refused();
+  tick_.assigned = admission_.take_assigned();
   send(tick_, topics_.tick, now_s);
   last_sent_s_ = now_s;
 }

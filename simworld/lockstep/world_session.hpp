@@ -62,6 +62,8 @@ class WorldSession {
   WorldSession(const Scenario& scenario, SessionOptions options, bus::WorldPort& port, ProcessControl* control,
                double now_s);
 
+  /// Publishes the newest tick once more: for observers, who may have missed it.
+  void repeat_tick(double now_s) { publish_tick(now_s); }
   /// Takes what arrived and does what is due.
   void poll(double now_s);
   /// Seconds until the next poll has something to do, if nothing arrives before.

@@ -35,6 +35,10 @@ class LauncherControl final : public ProcessControl {
 
 constexpr double kLook_s = 0.25;  ///< at most, between two looks at what may be due: others serve meanwhile
 
+// The last tick says how the run ended, and observers read best effort: they get it again.
+constexpr int kLastTicks = 3;
+constexpr double kLastTick_s = 0.05;
+
 class WorldProcess {
  public:
   WorldProcess(const WorldArguments& arguments, Scenario scenario)
@@ -50,7 +54,8 @@ class WorldProcess {
 
   void run() {
     channel_.send({{"launch", ids_of(scenario_.mission)}});
-    const Turn::Service service(turn_, [this] { return serve(); });
+    // what is due before the own thread would look again (the next tick of a paced run) is its own to wait for
+    const Turn::Service service(turn_, [this] { return serve() && session_.idle_s(steady_now_s()) >= kLook_s; });
     for (double idle_s = 0.0;;) {
       wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, std::min(idle_s, kLook_s));
       const auto lock = turn_.own();
@@ -61,6 +66,10 @@ class WorldProcess {
       idle_s = session_.idle_s(steady_now_s());
     }
     if (!port_.flush(std::chrono::milliseconds(1000))) spdlog::warn("not all samples were acknowledged");
+    for (int copy = 0; copy < kLastTicks && port_.observed(); ++copy) {
+      wait_readable({signals_.fd()}, kLastTick_s);
+      session_.repeat_tick(steady_now_s());
+    }
   }
 
   [[nodiscard]] nlohmann::ordered_json report() const {

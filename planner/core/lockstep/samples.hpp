@@ -98,6 +98,14 @@ struct Refusal {
   bool operator==(const Refusal&) const = default;
 };
 
+/// The id that the world holds for a process that introduced itself without one (agent 0).
+struct Assignment {
+  std::uint64_t nonce = 0;
+  AgentId agent = 0;
+
+  bool operator==(const Assignment&) const = default;
+};
+
 /// What a run came to, as the world's last tick says.
 struct Outcome {
   std::uint8_t exit_code = 0;  ///< of the world's process (docs/architecture.md)
@@ -114,6 +122,7 @@ struct Tick {
   double time_s = 0.0;
   std::vector<RosterEntry> roster;  ///< by ascending id
   std::vector<Refusal> refused;
+  std::vector<Assignment> assigned;
   std::uint64_t world_hash = 0;    ///< H of the round before
   std::optional<Outcome> outcome;  ///< given with phase Finished
 
@@ -218,7 +227,7 @@ struct Need {
 
 struct Beacon {
   std::uint64_t run = 0;
-  AgentId agent = 0;
+  AgentId agent = 0;              ///< 0 in an introduction: asks for an id
   std::uint32_t incarnation = 0;  ///< 0: introduces itself
   std::uint64_t nonce = 0;
   std::uint32_t step = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <fstream>
 #include <memory>
 
 #include "tests/groundstation/e2e/skein.hpp"
@@ -27,6 +28,7 @@ class Terminals {
   [[nodiscard]] std::unique_ptr<Program> agent(unsigned id) {
     return start({binary("skein-agent"), "--id", std::to_string(id)});
   }
+  [[nodiscard]] std::unique_ptr<Program> nameless_agent() { return start({binary("skein-agent")}); }
 
  private:
   [[nodiscard]] std::unique_ptr<Program> start(std::vector<std::string> arguments) {
@@ -57,6 +59,40 @@ TEST(ByHand, ThreeTerminalsInAnyOrder) {
 /// A flight long enough to do something in it.
 const std::vector<std::string> kSlow{"--set", "step_s=0.002",         "--set", "world.max_steps=1000000",
                                      "--set", "lockstep.deadline_s=2"};
+
+TEST(ByHand, AgentsWithoutAnIdAreGivenOneEach) {
+  const ScratchFolder out;
+  Terminals terminals("by-hand-nameless");
+  const auto first = terminals.nameless_agent();
+  const auto world = terminals.world(out.path() + "/a");
+  const auto second = terminals.nameless_agent();
+  for (Program* program : {first.get(), world.get(), second.get()}) {
+    const Ended ended = program->wait(60.0);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  }
+  const SkeinRun alone =
+      skein_run(std::string(SKEIN_SOURCE_DIR) + "/tests/data/small.yaml", kDomain, out.path() + "/b", {"--in-process"});
+  std::ifstream file(out.path() + "/a/report.json");
+  EXPECT_EQ(nlohmann::json::parse(file).at("state_hash"), alone.report.at("state_hash"));
+}
+
+TEST(ByHand, ANewcomerWithoutAnIdTakesALostAgentsPlace) {
+  const ScratchFolder out;
+  Terminals terminals("by-hand-newcomer");
+  const auto world = terminals.world(out.path(), kSlow);
+  const auto first = terminals.agent(1);
+  const auto second = terminals.agent(2);
+  ASSERT_TRUE(world->read_until("flying", 60.0));
+  const auto newcomer = terminals.nameless_agent();  // waits: both ids are held
+  ASSERT_TRUE(newcomer->read_until("asks swarm", 60.0));
+  second->signal_group(SIGKILL);
+  EXPECT_EQ(second->wait(30.0).exit_code, 137);
+  ASSERT_TRUE(newcomer->read_until("rejoined at round", 60.0));
+  world->signal_group(SIGTERM);
+  EXPECT_EQ(newcomer->wait(30.0).exit_code, 0);
+  EXPECT_EQ(first->wait(30.0).exit_code, 0);
+  EXPECT_EQ(world->wait(30.0).exit_code, 143);
+}
 
 TEST(ByHand, ASecondLiveIdIsRefusedInOneLine) {
   const ScratchFolder out;

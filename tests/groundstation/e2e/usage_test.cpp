@@ -60,7 +60,6 @@ TEST(Usage, BadFlagsGiveOneLineAndExitCode2) {
                                              {"skein", "doctor", "--domain", "233"},
                                              {"skein", "sweep", good, "--runs", "1", "--curves", "/dev/null/curves"},
                                              {"skein", "sweep", good, "--set", "planner.particles=20,1"},
-                                             {"skein-agent"},
                                              {"skein-agent", "--id", "0"},
                                              {"skein-agent", "--id", "257"},
                                              {"skein-agent", "--id", "1-3,2"},

@@ -154,5 +154,19 @@ TEST(PeerBook, AWorldOfAnotherSwarmOrAnAgentOfAnotherVersionIsNoConflict) {
   EXPECT_THAT(book.conflict().value_or(""), HasSubstr("wire version 7"));
 }
 
+TEST(PeerBook, IsObservedByWhoReadsTicksWithoutAPartInTheRun) {
+  PeerBook book(info(Role::World, 5));
+  match(book, kFirst, Role::Agent);
+  book.discovered(kFirst, info(Role::Agent, 7));
+  EXPECT_FALSE(book.observed());
+  book.discovered(kSecond, std::nullopt);
+  find(book, kSecond, endpoint_bit(TopicId::Beacon, false), true, kNow_s);
+  EXPECT_FALSE(book.observed());
+  find(book, kSecond, endpoint_bit(TopicId::Tick, true), true, kNow_s);
+  EXPECT_TRUE(book.observed());
+  book.gone(kSecond);
+  EXPECT_FALSE(book.observed());
+}
+
 }  // namespace
 }  // namespace skein::bus

@@ -80,6 +80,7 @@ inline Tick tick() {
   t.time_s = 2.5;
   t.roster = {{1, 1, 0x1111, true, false, true}, {3, 2, 0x3333, false, true, false}};
   t.refused = {{0x4444, RefusalReason::UnknownId}};
+  t.assigned = {{0x5555, 3}};
   t.world_hash = 0xfedcba9876543210;
   return t;
 }

@@ -117,7 +117,9 @@ TEST(Refusal, Tick) {
                      {"tick.roster", BadOrder, [](W& t) { std::swap(t.roster()[0], t.roster()[1]); }},
                      {"tick.roster.agent", UnknownAgent, [](W& t) { t.roster()[0].agent(2); }},
                      {"tick.roster.incarnation", OutOfRange, [](W& t) { t.roster()[0].incarnation(0); }},
-                     {"tick.refused.reason", BadEnum, [](W& t) { t.refused()[0].reason(0); }}});
+                     {"tick.refused.reason", BadEnum, [](W& t) { t.refused()[0].reason(0); }},
+                     {"tick.given", OutOfRange, [](W& t) { t.given().resize(257); }},
+                     {"tick.given.agent", UnknownAgent, [](W& t) { t.given()[0].agent(2); }}});
 }
 
 TEST(Refusal, Sense) {
