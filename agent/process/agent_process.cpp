@@ -21,7 +21,8 @@ namespace {
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 constexpr double kWorldTimeout_s = 30.0;
-constexpr double kLook_s = 0.25;  ///< at most, between two looks at what may be due: others serve meanwhile
+constexpr double kSilence_s = 2.5;  ///< a world that waits repeats its tick every second
+constexpr double kLook_s = 0.25;    ///< at most, between two looks at what may be due: others serve meanwhile
 
 /// The sessions of one process, over the ports that they share.
 class Sessions {
@@ -85,6 +86,16 @@ class Sessions {
       }
     }
   }
+  /// Says once that the world has fallen silent, and once that it ticks again.
+  void log_silence(double now_s) {
+    const bool silent = heard_world() && now_s - heard_world_s() > kSilence_s;
+    if (silent == std::exchange(silent_, silent)) return;
+    if (silent) {
+      spdlog::warn("no tick from the world for {} s, holding", kSilence_s);
+    } else {
+      spdlog::info("the world ticks again");
+    }
+  }
   void log_signal(int signal, bool heard) const {
     for (const auto& member : members_) {
       spdlog::info("{}ended by signal {}{} at round {}, step {}", prefix(*member), signal, heard ? "" : ", unheard,",
@@ -116,6 +127,7 @@ class Sessions {
   }
 
   std::vector<std::unique_ptr<Member>> members_;
+  bool silent_ = false;
 };
 
 int goodbye(Sessions& sessions, bus::DdsAgentGroup& group) {
@@ -157,6 +169,7 @@ int serve(const AgentArguments& arguments) {
       return kStartUp;
     }
     if (!serve_sessions()) return goodbye(sessions, group);
+    sessions.log_silence(steady_now_s());
     const double default_s = sessions.heard_world() ? kWorldTimeout_s : arguments.common.startup_timeout_s;
     const double limit_s = arguments.world_timeout_s.value_or(default_s);
     if (steady_now_s() - sessions.heard_world_s() > limit_s) {
