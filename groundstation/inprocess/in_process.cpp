@@ -82,7 +82,12 @@ class Harness final : public ProcessControl {
     session.fail_fast = options_.fail_fast;
     session.faults = options_.faults;
     session.replay = options_.replay;
-    if (!options_.checkpoint.empty()) {
+    if (options_.checkpoint.empty()) {
+      const auto on_world = [](const Fault& fault) { return fault.agent == kWorldId; };
+      if (std::ranges::any_of(options_.faults, on_world)) {
+        throw std::invalid_argument("a world that is killed needs a checkpoint to go on from");
+      }
+    } else {
       const CheckpointOwner owner{kRun,
                                   scenario_.mission.name,
                                   scenario_.scenario_hash,

@@ -28,6 +28,7 @@ struct InProcessResult {
   int exit_code = 0;
 };
 
+/// @throws std::invalid_argument for faults on a world without checkpoint
 [[nodiscard]] InProcessResult run_in_process(const Scenario& scenario, const InProcessOptions& options);
 
 }  // namespace skein
