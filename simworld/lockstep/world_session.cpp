@@ -71,7 +71,7 @@ double WorldSession::idle_s(double now_s) const {
   if (state_ == State::Running && now_s < pause_until_s_) return pause_until_s_ - now_s;
   double due_s = last_sent_s_ + (state_ == State::Waiting ? kWaitingTick_s : kResend_s);
   if (state_ == State::Running && interventions_.holding() && !interventions_.awaits_return()) return kWaitingTick_s;
-  if (state_ == State::Closing) due_s = barrier_.opened_s() + kGoodbye_s;
+  if (state_ == State::Closing) due_s = times_.finished_s + kGoodbye_s;
   const bool paced = state_ == State::Running && barrier_.complete() && now_s < pacer_.due_s();
   if (paced) due_s = std::min(due_s, pacer_.due_s());
   return std::clamp(due_s - now_s, 0.0, kWaitingTick_s);
@@ -155,7 +155,7 @@ void WorldSession::poll_running(double now_s) {
 }
 
 void WorldSession::poll_closing(double now_s) {
-  if (barrier_.complete() || now_s - barrier_.opened_s() - away_s_ > kGoodbye_s) state_ = State::Done;
+  if (barrier_.complete() || now_s - times_.finished_s > kGoodbye_s) state_ = State::Done;
 }
 
 void WorldSession::drop_silent(double now_s) {

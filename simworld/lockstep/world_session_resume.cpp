@@ -89,6 +89,7 @@ void WorldSession::rematch(double now_s) {
   if (!interrupted_) repeat_tick(now_s);
   if (waits) return;
   away_s_ = now_s - barrier_.opened_s();
+  if (state_ == State::Closing) times_.finished_s = now_s;
   resumed_s_.reset();
 }
 
