@@ -153,6 +153,7 @@ int serve(const AgentArguments& arguments) {
   const auto serve_sessions = [&] {
     group.receive();
     sessions.poll();
+    sessions.log_silence(steady_now_s());
     return sessions.go_on();
   };
   const Turn::Service service(turn, serve_sessions);
@@ -169,7 +170,6 @@ int serve(const AgentArguments& arguments) {
       return kStartUp;
     }
     if (!serve_sessions()) return goodbye(sessions, group);
-    sessions.log_silence(steady_now_s());
     const double default_s = sessions.heard_world() ? kWorldTimeout_s : arguments.common.startup_timeout_s;
     const double limit_s = arguments.world_timeout_s.value_or(default_s);
     if (steady_now_s() - sessions.heard_world_s() > limit_s) {

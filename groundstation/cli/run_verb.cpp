@@ -77,6 +77,7 @@ void complete(Json& report, const Launcher& launcher) {
   }
   if (measured > 0) report["pss_mb_per_agent"] = pss_sum_mb / static_cast<double>(measured);
   report["processes"] = processes;
+  report["world_recovery_s"] = launcher.recoveries_s();
   std::set<pid_t> named;
   for (const AgentProcess& process : launcher.agents()) {
     const auto is_own = [&](const Json& change) { return change["agent"] == process.id; };

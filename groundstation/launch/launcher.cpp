@@ -59,6 +59,8 @@ bool Launcher::may_restart_world() {
   const int status = *world_->status();
   if (!plan_.restart_world || signal_ || !WIFSIGNALED(status) || world_restarts_ == kWorldRestarts) return false;
   ++world_restarts_;
+  world_died_s_ = steady_now_s();
+  repeated_round_.reset();
   if (plan_.on_world_restart) plan_.on_world_restart(describe_status(status));
   return true;
 }
@@ -106,6 +108,7 @@ void Launcher::take_messages() {
     act_on(*message);
     if (const auto progress = message->find("progress"); progress != message->end()) {
       if (progress->value("phase", "") == "flying") note_memory();
+      note_recovery(progress->value("round", 0U));
       if (plan_.on_progress) plan_.on_progress(*progress);
     }
   }
@@ -174,6 +177,13 @@ void Launcher::note_memory() {
     if (share_mb) *share_mb /= static_cast<double>(group.ids.size());
     for (std::size_t i = 0; i < group.ids.size(); ++i) records_[group.record + i].pss_mb = share_mb;
   }
+}
+
+void Launcher::note_recovery(std::uint32_t round) {
+  if (!world_died_s_) return;
+  if (!repeated_round_) repeated_round_ = round;
+  if (round == *repeated_round_) return;
+  recoveries_s_.push_back(steady_now_s() - *std::exchange(world_died_s_, std::nullopt));
 }
 
 bool Launcher::agents_running() {

@@ -58,6 +58,8 @@ class Launcher {
 
   /// All that were started, in that order: several of one agent, if it was restarted.
   [[nodiscard]] const std::vector<AgentProcess>& agents() const { return records_; }
+  /// Of each world that was started again: seconds from the end of the one before to the next round.
+  [[nodiscard]] const std::vector<double>& recoveries_s() const { return recoveries_s_; }
   /// The first SIGINT or SIGTERM that the launcher got.
   [[nodiscard]] std::optional<int> signal() const { return signal_; }
 
@@ -81,6 +83,7 @@ class Launcher {
   void reap();
   void note_end(Group& group);
   void note_memory();
+  void note_recovery(std::uint32_t round);
   void end_agents();
   [[nodiscard]] bool agents_running();
 
@@ -94,6 +97,9 @@ class Launcher {
   double signalled_s_ = 0.0;
   bool memory_noted_ = false;
   std::uint32_t world_restarts_ = 0;
+  std::optional<double> world_died_s_;
+  std::optional<std::uint32_t> repeated_round_;  ///< that was open when it died
+  std::vector<double> recoveries_s_;
 };
 
 }  // namespace skein

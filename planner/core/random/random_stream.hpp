@@ -24,6 +24,7 @@ enum class Purpose : std::uint32_t {
   Sensor = 20,      ///< misses and false alarms of a look; index: step * 2^32 + cell
   Layout = 21,      ///< generated scenarios, of agent 0; index: 0 a forest, 1 starts and goals
   RadioLoss = 22,   ///< whether a receiver misses a sample; agent: the sender, index: receiver, step and round
+  Chaos = 40,       ///< faults of a campaign, of agent 0; index: the run
   Test = 1000,      ///< draws of tests
 };
 
