@@ -58,7 +58,8 @@ class WorldProcess {
                    session_.run().step());
     }
     channel_.send({{"launch", ids_of(scenario_.mission)}});
-    const Turn::Service service(turn_, [this] { return serve(); });
+    // what a thread of DDS leaves to do soon, a paced tick say, the own thread must come for
+    const Turn::Service service(turn_, [this] { return serve() && session_.idle_s(steady_now_s()) >= kLook_s; });
     for (double idle_s = 0.0;;) {
       wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, std::min(idle_s, kLook_s));
       const auto lock = turn_.own();
