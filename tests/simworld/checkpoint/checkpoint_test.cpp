@@ -2,6 +2,9 @@
 #include "simworld/checkpoint/checkpoint.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "tests/simworld/checkpoint/recorded_run.hpp"
 #include "tests/simworld/checkpoint/scratch.hpp"
@@ -134,7 +137,48 @@ TEST(Checkpoint, RoundsAndFaultsAreRepeatedInANewSession) {
   }
 }
 
-TEST(Checkpoint, AFolderThatCannotBeWrittenAnyMoreIsGivenUpAndSaysSo) {
+/// No file of this process grows over a size, while it lives.
+class FileLimit {
+ public:
+  explicit FileLimit(std::size_t bytes) : before_(limit()), handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    rlimit lower = before_;
+    lower.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &lower);
+  }
+  ~FileLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+
+ private:
+  static rlimit limit() {
+    rlimit now{};
+    getrlimit(RLIMIT_FSIZE, &now);
+    return now;
+  }
+  rlimit before_;
+  void (*handler_)(int);
+};
+
+TEST(Checkpoint, OneThatCannotBeWrittenAnyMoreIsGivenUpAndSaysWhyNobodyCanGoOn) {
+  const Scratch folder;
+  {
+    Checkpoint checkpoint(folder.path(), owner(), false);
+    const FileLimit limit(test::read_file(folder.path() + "/journal").size() + 10);
+    EXPECT_EQ(checkpoint.failure(), "");
+    checkpoint.round(RoundInputs{});
+    EXPECT_EQ(checkpoint.failure(), folder.path() + "/journal: File too large");
+    checkpoint.round(RoundInputs{});
+    checkpoint.end("all vehicles arrived");
+  }
+  EXPECT_EQ(refusal(folder.path(), owner()), "--checkpoint " + folder.path() +
+                                                 ": it could not be written to the end: " + folder.path() +
+                                                 "/journal: File too large");
+}
+
+TEST(Checkpoint, AFullDiskAtTheStartIsRefused) {
   const Scratch folder;
   std::filesystem::create_symlink("/dev/full", folder.path() + "/journal");
   EXPECT_NE(refusal(folder.path(), owner()).find("No space left on device"), std::string::npos);
