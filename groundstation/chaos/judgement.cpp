@@ -10,9 +10,10 @@
 namespace skein::chaos {
 namespace {
 
-/// 0 after a run, 4 when the world went on without it; a kill where the fault, or what came of it, is one.
+/// 0 after a run, 4 when the world went on without it; a kill where the fault is one, or stops an agent: one that
+/// stands still when the run is over is killed by the launcher.
 bool is_explained(const std::string& ended_by, Kind kind) {
-  const bool killed = kind == Kind::Kill || kind == Kind::Restart || kind == Kind::Stop;
+  const bool killed = kind != Kind::World && !needs_network(kind);
   return ended_by == "exit status 0" || ended_by == "exit status 4" || (killed && ended_by == "signal 9 (Killed)");
 }
 

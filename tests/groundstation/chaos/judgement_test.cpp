@@ -50,6 +50,7 @@ TEST(Judgement, ALossIsDegradedWithItsReasonAndARestartIsARecovery) {
   EXPECT_TRUE(is_sound(outcome));
   EXPECT_EQ(outcome.recovery_steps, 12U);
   EXPECT_EQ(outcome.recovery_s, 6.0);
+  EXPECT_TRUE(is_sound(judged(report, Kind::Slow))) << "who stands still at the end is killed";
   EXPECT_FALSE(is_sound(judged(report, Kind::World))) << "no agent dies of the world's death";
 }
 
