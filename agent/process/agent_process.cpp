@@ -23,7 +23,8 @@ namespace {
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 constexpr double kWorldTimeout_s = 30.0;
-constexpr double kLook_s = 0.25;  ///< at most, between two looks at what may be due: others serve meanwhile
+constexpr double kSilence_s = 2.5;  ///< a world that waits repeats its tick every second
+constexpr double kLook_s = 0.25;    ///< at most, between two looks at what may be due: others serve meanwhile
 
 /// The sessions of one process, over the ports that they share.
 class Sessions {
@@ -87,6 +88,16 @@ class Sessions {
       }
     }
   }
+  /// Says once that the world has fallen silent, and once that it ticks again.
+  void log_silence(double now_s) {
+    const bool silent = heard_world() && now_s - heard_world_s() > kSilence_s;
+    if (silent == std::exchange(silent_, silent)) return;
+    if (silent) {
+      spdlog::warn("no tick from the world for {} s, holding", kSilence_s);
+    } else {
+      spdlog::info("the world ticks again");
+    }
+  }
   void log_signal(int signal, bool heard) const {
     for (const auto& member : members_) {
       spdlog::info("{}ended by signal {}{} at round {}, step {}", prefix(*member), signal, heard ? "" : ", unheard,",
@@ -118,6 +129,7 @@ class Sessions {
   }
 
   std::vector<std::unique_ptr<Member>> members_;
+  bool silent_ = false;
 };
 
 int goodbye(Sessions& sessions, bus::DdsAgentGroup& group) {
@@ -189,6 +201,7 @@ int serve(AgentArguments arguments) {
   const auto serve_sessions = [&] {
     group.receive();
     sessions.poll();
+    sessions.log_silence(steady_now_s());
     return sessions.go_on();
   };
   const Turn::Service service(turn, serve_sessions);

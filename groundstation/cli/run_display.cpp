@@ -65,6 +65,11 @@ void RunDisplay::show(const nlohmann::json& progress) {
   stage_ = phase;
 }
 
+void RunDisplay::note(const std::string& line) {
+  end();
+  put(line, true);
+}
+
 void RunDisplay::end() {
   if (std::exchange(unfinished_, false)) std::cerr << "\n" << std::flush;
 }

@@ -16,6 +16,8 @@ class RunDisplay {
 
   /// Shows a state as progress_of() describes it.
   void show(const nlohmann::json& progress);
+  /// A line of its own.
+  void note(const std::string& line);
   /// The last line of progress is complete.
   void end();
   void result(const nlohmann::ordered_json& report, const std::string& folder) const;

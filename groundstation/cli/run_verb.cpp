@@ -16,6 +16,7 @@
 #include "groundstation/inprocess/in_process.hpp"
 #include "groundstation/launch/launcher.hpp"
 #include "idl/process/poll.hpp"
+#include "simworld/checkpoint/checkpoint.hpp"
 #include "simworld/process/progress.hpp"
 #include "simworld/process/world_process.hpp"
 #include "simworld/report/report.hpp"
@@ -45,6 +46,10 @@ std::vector<std::string> world_arguments(const RunArguments& arguments, const st
   if (arguments.world.fail_fast) flags.emplace_back("--fail-fast");
   if (arguments.world.realtime > 0.0)
     flags.insert(flags.end(), {"--realtime", fmt::format("{}", arguments.world.realtime)});
+  if (!arguments.world.checkpoint.empty()) {
+    flags.insert(flags.end(), {"--checkpoint", arguments.world.checkpoint});
+    if (arguments.world.checkpoint_sync) flags.emplace_back("--checkpoint-sync");
+  }
   for (const Override& item : arguments.world.overrides) {
     flags.insert(flags.end(), {"--set", item.key + "=" + item.value});
   }
@@ -72,6 +77,7 @@ void complete(Json& report, const Launcher& launcher) {
   }
   if (measured > 0) report["pss_mb_per_agent"] = pss_sum_mb / static_cast<double>(measured);
   report["processes"] = processes;
+  report["world_recovery_s"] = launcher.recoveries_s();
   std::set<pid_t> named;
   for (const AgentProcess& process : launcher.agents()) {
     const auto is_own = [&](const Json& change) { return change["agent"] == process.id; };
@@ -125,7 +131,8 @@ int run_processes(RunArguments& arguments, RunDisplay& display, const Scenario& 
   std::filesystem::remove(folder + "/report.json");
   Launcher launcher({binaries_folder(), folder, world_arguments(arguments, folder),
                      arguments_of(arguments.world.common), arguments.per_process,
-                     [&](const auto& state) { display.show(state); }});
+                     [&](const auto& state) { display.show(state); }, !arguments.world.checkpoint.empty(),
+                     [&](const auto& how) { display.note(fmt::format("the world died of {}: started again", how)); }});
   const int status = launcher.run();
   display.end();
   std::ifstream file(folder + "/report.json");
@@ -146,6 +153,7 @@ int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario&
   InProcessOptions options;
   options.faults = arguments.world.faults;
   options.fail_fast = arguments.world.fail_fast;
+  options.checkpoint = arguments.world.checkpoint;
   std::string expected_hash;
   if (!arguments.roster.empty()) {
     const nlohmann::json other = read_report(arguments.roster);
@@ -194,6 +202,13 @@ int run(RunArguments& arguments) {
     }
     const std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (!scenario) return static_cast<int>(ExitCode::Usage);
+    const std::string& checkpoint = arguments.world.checkpoint;
+    if (!checkpoint.empty() && Checkpoint::exists(checkpoint)) {
+      throw std::runtime_error(
+          fmt::format("--checkpoint {}: it holds a run already; while that one's agents live, "
+                      "skein-simworld goes on with it",
+                      checkpoint));
+    }
     return arguments.in_process ? run_here(arguments, display, *scenario)
                                 : run_processes(arguments, display, *scenario);
   } catch (const StartFailure& error) {
@@ -222,8 +237,9 @@ VerbAction add_run_verb(CLI::App& app) {
   CLI::Option* attach = verb->add_flag("--attach", arguments->attach,
                                        "watch a run that others started, until it ends; its exit code is this one's");
   verb->get_option("SCENARIO")->required(false);
-  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out",
-                           "--realtime", "--fail-fast", "--fault", "--in-process", "--roster", "--per-process"}) {
+  for (const char* name :
+       {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out", "--realtime", "--fail-fast",
+        "--fault", "--checkpoint", "--checkpoint-sync", "--in-process", "--roster", "--per-process"}) {
     attach->excludes(verb->get_option(name));
   }
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");

@@ -9,6 +9,7 @@ namespace skein {
 /// Runs the verb after parsing. @return the exit code (docs/architecture.md)
 using VerbAction = std::function<int()>;
 
+[[nodiscard]] VerbAction add_chaos_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_doctor_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_profile_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_run_verb(CLI::App& app);

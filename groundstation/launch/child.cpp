@@ -76,6 +76,10 @@ bool Child::stopped() const {
 
 void Child::kill_and_reap() {
   signal(SIGKILL);
+  wait();
+}
+
+void Child::wait() {
   int status = 0;
   while (!status_) {
     if (waitpid(pid_, &status, 0) == pid_) status_ = status;

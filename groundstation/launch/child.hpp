@@ -24,6 +24,8 @@ class Child {
   /// Stops the child (SIGSTOP), and returns once it is stopped or has ended.
   void stop() const;
   [[nodiscard]] bool stopped() const;
+  /// Returns once the child has ended.
+  void wait();
   /// Kills the child, and returns once it has ended.
   void kill_and_reap();
 

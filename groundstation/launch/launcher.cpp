@@ -1,6 +1,7 @@
 #include "groundstation/launch/launcher.hpp"
 
 #include <fmt/core.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,12 +27,24 @@ int Launcher::run() {
       throw StartFailure(fmt::format("cannot start {}{}: {}", plan_.binaries, name, std::strerror(errno)));
     }
   }
+  for (bool again = true; again; again = may_restart_world()) {
+    start_world();
+    serve_world();
+  }
+  end_agents();
+  return *world_->status();
+}
+
+void Launcher::start_world() {
   auto [near, far] = ControlChannel::pair();
   channel_ = std::make_unique<ControlChannel>(std::move(near));
   std::vector<std::string> arguments = plan_.world_arguments;
   arguments.insert(arguments.begin(), {"--control-fd", std::to_string(far.fd())});
   world_ = std::make_unique<Child>(plan_.binaries + "/skein-simworld", arguments, plan_.out + "/world.log", far.fd());
   far.close();
+}
+
+void Launcher::serve_world() {
   while (world_->running()) {
     wait_readable({signals_.fd(), channel_->fd()}, 1.0);
     take_signals();
@@ -39,8 +52,29 @@ int Launcher::run() {
     reap();
     if (signal_ && steady_now_s() > signalled_s_ + kWorldGrace_s) world_->signal(SIGKILL);
   }
-  end_agents();
-  return *world_->status();
+}
+
+bool Launcher::may_restart_world() {
+  take_messages();  // what it still had to say
+  const int status = *world_->status();
+  if (!plan_.restart_world || signal_ || !WIFSIGNALED(status) || world_restarts_ == kWorldRestarts) return false;
+  ++world_restarts_;
+  world_died_s_ = steady_now_s();
+  repeated_round_.reset();
+  if (plan_.on_world_restart) plan_.on_world_restart(describe_status(status));
+  return true;
+}
+
+/// A world that was started again knows of no process.
+void Launcher::tell_ends() {
+  for (const Group& group : groups_) {
+    const AgentProcess& record = records_[group.record];
+    if (record.wait_status) {
+      channel_->send({{"ended", group.ids}, {"pid", record.pid}, {"status", *record.wait_status}});
+    } else if (group.child->stopped()) {
+      for (const AgentId id : group.ids) channel_->send({{"stopped", id}});
+    }
+  }
 }
 
 void Launcher::start_agents(const std::vector<AgentId>& ids) {
@@ -65,11 +99,16 @@ void Launcher::start(Group& group) {
 void Launcher::take_messages() {
   while (const auto message = channel_->receive()) {
     if (const auto ids = message->find("launch"); ids != message->end() && !signal_) {
-      start_agents(ids->get<std::vector<AgentId>>());
+      if (groups_.empty()) {
+        start_agents(ids->get<std::vector<AgentId>>());
+      } else {
+        tell_ends();
+      }
     }
     act_on(*message);
     if (const auto progress = message->find("progress"); progress != message->end()) {
       if (progress->value("phase", "") == "flying") note_memory();
+      note_recovery(progress->value("round", 0U));
       if (plan_.on_progress) plan_.on_progress(*progress);
     }
   }
@@ -81,6 +120,10 @@ void Launcher::act_on(const nlohmann::json& message) {
   for (const char* order : {"kill", "cont", "stop", "restart"}) {
     const auto id = message.find(order);
     if (id == message.end()) continue;
+    if (*id == kWorldId) {
+      world_->signal(SIGKILL);
+      continue;
+    }
     const auto group = std::ranges::find_if(
         groups_, [&](const Group& each) { return std::ranges::find(each.ids, id->get<AgentId>()) != each.ids.end(); });
     if (group != groups_.end()) act_on(*group, order, id->get<AgentId>());
@@ -134,6 +177,13 @@ void Launcher::note_memory() {
     if (share_mb) *share_mb /= static_cast<double>(group.ids.size());
     for (std::size_t i = 0; i < group.ids.size(); ++i) records_[group.record + i].pss_mb = share_mb;
   }
+}
+
+void Launcher::note_recovery(std::uint32_t round) {
+  if (!world_died_s_) return;
+  if (!repeated_round_) repeated_round_ = round;
+  if (round == *repeated_round_) return;
+  recoveries_s_.push_back(steady_now_s() - *std::exchange(world_died_s_, std::nullopt));
 }
 
 bool Launcher::agents_running() {

@@ -32,6 +32,7 @@ struct DdsConfig {
   std::uint64_t nonce = 0;          ///< random, one a process
   std::int64_t start_stamp_ns = 0;  ///< when the process started: of two worlds in a swarm the earlier stays
   double lease_s = 20.0;            ///< after which a silent process counts as gone from the bus; 1 or more
+  std::uint64_t run = 0;            ///< of a world: its run, so that it may take a dead one's place; 0: not said
   std::uint32_t wire_version = wire::kWireVersion;  ///< what USER_DATA says; other values are for tests
 };
 

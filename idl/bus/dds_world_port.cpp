@@ -9,7 +9,9 @@ namespace skein::bus {
 namespace {
 
 PeerInfo self(const DdsConfig& config) {
-  return {Role::World, config.swarm, kWorldId, config.nonce, config.wire_version, config.start_stamp_ns};
+  PeerInfo info{Role::World, config.swarm, kWorldId, config.nonce, config.wire_version, config.start_stamp_ns};
+  info.run = config.run;
+  return info;
 }
 
 std::vector<std::string> partitions_of(const DdsConfig& config, std::span<const AgentId> agents) {

@@ -19,7 +19,8 @@ std::optional<std::string> conflict_between(const PeerInfo& own, const PeerInfo&
            ", this agent version " + std::to_string(own.wire_version);
   }
   const bool earlier = std::tie(world.start_stamp_ns, world.nonce) < std::tie(own.start_stamp_ns, own.nonce);
-  if (own.role == Role::World && earlier) {
+  const bool predecessor = own.run != 0 && world.run == own.run;  // it died, and DDS has not noticed yet
+  if (own.role == Role::World && earlier && !predecessor) {
     return "swarm '" + own.swarm + "' already has a world (nonce " + std::to_string(world.nonce) + ")";
   }
   return std::nullopt;

@@ -52,7 +52,8 @@ class PeerBook {
   [[nodiscard]] bool observed() const;
 
   /// Why this process must not take part, in one line, or nothing. For an agent: a world of its swarm has another wire
-  /// version. For a world: another world of its swarm started earlier (the lower nonce, if at the same time).
+  /// version. For a world: another world of its swarm, with another run, started earlier (the lower nonce, if at the
+  /// same time).
   [[nodiscard]] std::optional<std::string> conflict() const;
 
   /// The swarms of the processes that are there, ascending, each once; `with_world` leaves out those without a world.

@@ -44,6 +44,7 @@ std::string to_text(const PeerInfo& info) {
   text.append(" wire=").append(std::to_string(info.wire_version));
   text.append(" start=").append(std::to_string(info.start_stamp_ns));
   if (info.members != 1) text.append(" members=").append(std::to_string(info.members));
+  if (info.run != 0) text.append(" run=").append(std::to_string(info.run));
   return text;
 }
 
@@ -72,6 +73,8 @@ std::optional<PeerInfo> peer_info_from(std::string_view text) {
       good = read(value, info.start_stamp_ns), found |= 32U;
     } else if (key == "members") {
       good = read(value, info.members) && info.members >= 1 && info.members <= kMaxAgents;
+    } else if (key == "run") {
+      good = read(value, info.run);
     }
     if (!good) return std::nullopt;
   }

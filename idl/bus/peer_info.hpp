@@ -3,7 +3,8 @@
 // "skein role=agent swarm=geese id=3 nonce=81985529216486895 wire=1 start=1700000000000000000": words in any order,
 // unknown ones are skipped, so that a later version may add some.
 // A process that holds several agents says " members=8" as well; `id` is its lowest agent, and its agents have the
-// nonces `nonce`, `nonce` + 1 and so on, by ascending id.
+// nonces `nonce`, `nonce` + 1 and so on, by ascending id. A world says " run=42" as well: one that goes on with a run
+// whose world has died has the same.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,7 @@ struct PeerInfo {
   std::uint32_t wire_version = wire::kWireVersion;
   std::int64_t start_stamp_ns = 0;
   std::uint32_t members = 1;  ///< agents in the process
+  std::uint64_t run = 0;      ///< of a world; 0: it does not say
 
   bool operator==(const PeerInfo&) const = default;
 };

@@ -132,6 +132,15 @@ void Admission::admit(const RosterEntry& entry) {
   incarnations_[entry.agent] = entry.incarnation;
 }
 
+void Admission::restore(const RosterEntry& entry) {
+  closed_ = true;
+  Holder holder;
+  holder.nonce = entry.nonce;
+  holder.has_mission = true;
+  holders_[entry.agent] = std::move(holder);
+  admit(entry);
+}
+
 bool Admission::complete(AgentId id, std::span<const std::uint64_t> world_matched) const {
   const auto found = holders_.find(id);
   if (found == holders_.end()) return false;

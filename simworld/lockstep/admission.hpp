@@ -51,6 +51,8 @@ class Admission {
   [[nodiscard]] bool has_newcomers() const;
   /// The entry, of returning(), is live from now on.
   void admit(const RosterEntry& entry);
+  /// The same of an entry that another world has admitted.
+  void restore(const RosterEntry& entry);
 
   /// Vehicles whose agent has introduced itself.
   [[nodiscard]] std::size_t introduced() const { return holders_.size(); }

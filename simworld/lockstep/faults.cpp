@@ -9,7 +9,8 @@
 namespace skein {
 namespace {
 
-constexpr std::string_view kForm = "allowed: kill|stop|cont|restart:ID@plan:ROUND or @fly:STEP";
+constexpr std::string_view kForm = "allowed: kill|stop|cont|restart:ID@plan:ROUND or @fly:STEP, or kill:world@...";
+constexpr std::string_view kWorldName = "world";
 constexpr std::array<std::string_view, 4> kKinds{"kill", "stop", "cont", "restart"};
 
 /// The number that fills the whole text, at least 1.
@@ -36,7 +37,8 @@ ParsedFault wrong(std::string_view text, std::string_view what) {
 }  // namespace
 
 std::string text_of(const Fault& fault) {
-  return fmt::format("{}:{}@{}:{}", kKinds.at(static_cast<std::size_t>(fault.kind)), fault.agent,
+  const std::string who = fault.agent == kWorldId ? std::string(kWorldName) : std::to_string(fault.agent);
+  return fmt::format("{}:{}@{}:{}", kKinds.at(static_cast<std::size_t>(fault.kind)), who,
                      fault.phase == Phase::Planning ? "plan" : "fly", fault.at);
 }
 
@@ -49,13 +51,13 @@ ParsedFault parse_fault(std::string_view text) {
   const auto place = std::ranges::find(kKinds, *kind);
   if (place == kKinds.end()) return wrong(text, fmt::format("unknown kind '{}'", *kind));
   if (*phase != "plan" && *phase != "fly") return wrong(text, fmt::format("unknown phase '{}'", *phase));
-  const auto id = number(*agent);
+  const auto kind_of_fault = static_cast<FaultKind>(place - kKinds.begin());
+  const bool world = *agent == kWorldName && kind_of_fault == FaultKind::Kill;
+  const auto id = world ? kWorldId : number(*agent);
   if (!id || *id > kMaxAgents) return wrong(text, fmt::format("'{}' is no agent id", *agent));
   const auto at = number(rest);
   if (!at) return wrong(text, fmt::format("'{}' is no round or step", rest));
-  return {Fault{static_cast<FaultKind>(place - kKinds.begin()), *id, *phase == "plan" ? Phase::Planning : Phase::Flying,
-                *at},
-          {}};
+  return {Fault{kind_of_fault, *id, *phase == "plan" ? Phase::Planning : Phase::Flying, *at}, {}};
 }
 
 }  // namespace skein

@@ -1,7 +1,8 @@
 // Faults on purpose: what shall happen to which agent, at which tick.
 //
-// Written `KIND:ID@plan:ROUND` or `KIND:ID@fly:STEP`. The world holds that tick until the effect is confirmed, so that
-// a fault takes place at the same point of every run (simworld/lockstep/interventions.hpp).
+// Written `KIND:ID@plan:ROUND` or `KIND:ID@fly:STEP`; `kill:world@...` kills the world, which goes on from its
+// checkpoint. The world holds that tick until the effect is confirmed, so that a fault takes place at the same point of
+// every run (simworld/lockstep/interventions.hpp).
 #pragma once
 
 #include <optional>
@@ -21,7 +22,7 @@ enum class FaultKind : std::uint8_t {
 
 struct Fault {
   FaultKind kind = FaultKind::Kill;
-  AgentId agent = 0;
+  AgentId agent = 0;              ///< kWorldId with Kill: the world
   Phase phase = Phase::Planning;  ///< Planning or Flying
   std::uint32_t at = 0;           ///< the planning round or the flight step whose tick is held
 

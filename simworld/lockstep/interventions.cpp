@@ -15,6 +15,11 @@ Interventions::Interventions(std::vector<Fault> faults, std::vector<RosterChange
   }
 }
 
+void Interventions::forget(const Fault& fault) {
+  const auto found = std::ranges::find(faults_, fault);
+  if (found != faults_.end()) faults_.erase(found);
+}
+
 std::vector<Loss> Interventions::repeat(std::uint32_t round, std::span<const RosterEntry> roster, double now_s) {
   if (std::exchange(repeated_round_, round) != round) expected_.clear();
   std::vector<Loss> losses;
@@ -47,9 +52,13 @@ bool Interventions::carry_out(const Moment& moment, const IsLive& live, double n
     control_->restart(awaited.agent);
     acted = true;
   }
+  const auto is_due = [&](const Fault& fault) { return Moment{fault.phase, fault.at} == moment; };
+  const bool dies = is_awaited(kWorldId) || std::ranges::any_of(faults_, [&](const Fault& fault) {
+                      return fault.agent == kWorldId && is_due(fault);
+                    });
   for (std::size_t i = 0; i < faults_.size();) {
     const Fault fault = faults_[i];
-    const bool due = Moment{fault.phase, fault.at} == moment && !is_awaited(fault.agent);
+    const bool due = is_due(fault) && dies == (fault.agent == kWorldId) && !is_awaited(fault.agent);
     if (due && carry_out(fault, live(fault.agent), now_s)) {
       faults_.erase(faults_.begin() + static_cast<std::ptrdiff_t>(i));
       acted = true;
@@ -63,6 +72,7 @@ bool Interventions::carry_out(const Moment& moment, const IsLive& live, double n
 bool Interventions::carry_out(const Fault& fault, bool live, double now_s) {
   const Process process = process_of(fault.agent);
   if (fault.kind != FaultKind::Restart && process == Process::Ended) return false;
+  if (recorder_ != nullptr) recorder_->fault(fault);
   Awaited awaited{.agent = fault.agent, .since_s = now_s};
   switch (fault.kind) {
     case FaultKind::Kill:

@@ -7,6 +7,7 @@
 //   stop      the process is stopped: the tick goes out, and the deadline drops the agent
 //   cont      of a dropped agent: it has introduced itself again and is matched; of a live one: nothing
 //   restart   the process, if there was one, is gone, and the new one has introduced itself and is matched
+// The world's own death comes first of all that is due at a moment: the rest is left to the world that takes its place.
 // A repeated loss ends the process, a repeated return starts another one. Source: own.
 #pragma once
 
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "simworld/lockstep/faults.hpp"
+#include "simworld/lockstep/recorder.hpp"
 #include "simworld/lockstep/run.hpp"
 
 namespace skein {
@@ -41,6 +43,11 @@ class Interventions {
   /// @param control nullptr when nobody can act on processes; then there may be no faults, and repeated returns wait
   /// for agents that somebody else starts. @throws std::invalid_argument for faults without control
   Interventions(std::vector<Fault> faults, std::vector<RosterChange> replay, ProcessControl* control);
+
+  /// Who is told of each fault before it is carried out; nullptr for nobody.
+  void set_recorder(Recorder* recorder) { recorder_ = recorder; }
+  /// The fault was carried out for a world that has died since.
+  void forget(const Fault& fault);
 
   /// Takes out the repeated changes that are due at `round`. @return the losses; the returns are awaited
   [[nodiscard]] std::vector<Loss> repeat(std::uint32_t round, std::span<const RosterEntry> roster, double now_s);
@@ -90,6 +97,7 @@ class Interventions {
   std::uint32_t repeated_round_ = 0;
   std::vector<AgentId> expected_;  ///< of a replay: who comes back at that round
   ProcessControl* control_;
+  Recorder* recorder_ = nullptr;
   std::map<AgentId, Process> processes_;  ///< without an entry: running
   std::vector<Awaited> awaited_;
 };

@@ -29,6 +29,8 @@ class Pacer {
   [[nodiscard]] double due_s() const { return due_s_; }
   /// Ticks that were answered too late.
   [[nodiscard]] std::uint32_t late() const { return late_; }
+  /// Adds those of a world whose run this one goes on with.
+  void count_late(std::uint32_t ticks) { late_ += ticks; }
 
  private:
   Pace pace_;

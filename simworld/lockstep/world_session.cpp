@@ -31,6 +31,7 @@ WorldSession::WorldSession(const Scenario& scenario, SessionOptions options, bus
       interventions_(std::move(options_.faults), std::move(options_.replay), control) {
   times_.created_s = now_s;
   tick_.run = options_.run;
+  interventions_.set_recorder(options_.recorder);
   if (options_.settle_s <= 0.0) publish_mission(now_s);
 }
 
@@ -52,6 +53,8 @@ void WorldSession::act(double now_s) {
   if (last_poll_s_ && now_s - *last_poll_s_ > kAway_s) away_s_ += now_s - *last_poll_s_;
   last_poll_s_ = now_s;
   take(now_s);
+  if (resumed_s_) rematch(now_s);
+  if (resumed_s_) return;
   switch (state_) {
     case State::Waiting:
       return poll_waiting(now_s);
@@ -68,7 +71,7 @@ double WorldSession::idle_s(double now_s) const {
   if (state_ == State::Running && now_s < pause_until_s_) return pause_until_s_ - now_s;
   double due_s = last_sent_s_ + (state_ == State::Waiting ? kWaitingTick_s : kResend_s);
   if (state_ == State::Running && interventions_.holding() && !interventions_.awaits_return()) return kWaitingTick_s;
-  if (state_ == State::Closing) due_s = barrier_.opened_s() + kGoodbye_s;
+  if (state_ == State::Closing) due_s = times_.finished_s + kGoodbye_s;
   const bool paced = state_ == State::Running && barrier_.complete() && now_s < pacer_.due_s();
   if (paced) due_s = std::min(due_s, pacer_.due_s());
   return std::clamp(due_s - now_s, 0.0, kWaitingTick_s);
@@ -148,15 +151,11 @@ void WorldSession::poll_running(double now_s) {
     if (!interventions_.awaits_return()) return;  // who is to come back must hear that it was dropped
   }
   if (state_ != State::Running || now_s - last_sent_s_ < kResend_s) return;
-  publish_tick(now_s);
-  for (const AgentId agent : barrier_.waiting_for()) {
-    const auto entry = std::ranges::find(tick_.roster, agent, &RosterEntry::agent);
-    if (entry->sense) publish_sense(*entry, now_s);
-  }
+  repeat_tick(now_s);
 }
 
 void WorldSession::poll_closing(double now_s) {
-  if (barrier_.complete() || now_s - barrier_.opened_s() > kGoodbye_s) state_ = State::Done;
+  if (barrier_.complete() || now_s - times_.finished_s > kGoodbye_s) state_ = State::Done;
 }
 
 void WorldSession::drop_silent(double now_s) {
@@ -221,6 +220,7 @@ void WorldSession::find_returning(double now_s) {
 }
 
 void WorldSession::advance(double now_s) {
+  record_round(now_s);
   repeats_.keep(barrier_, tick_);
   go_on(run_.decide(barrier_, std::exchange(lost_, {}), back_), now_s);
 }
@@ -245,14 +245,7 @@ void WorldSession::close(double now_s) {
 }
 
 void WorldSession::open(const Tick& tick, double now_s) {
-  tick_ = tick;
-  if (tick_.phase == Phase::Finished) {
-    tick_.outcome = outcome();
-    tick_.outcome->reason.resize(std::min(tick_.outcome->reason.size(), wire::kMaxReason));
-  }
-  away_s_ = 0.0;
-  barrier_.open(tick_, now_s);
-  pacer_.opened(tick_.step > 0 ? Phase::Flying : tick_.phase, now_s, run_.rounds_in_step());
+  expect(tick, now_s);
   for (const RosterEntry& entry : tick_.roster) {
     if (entry.sense) publish_sense(entry, now_s);
   }

@@ -19,6 +19,7 @@
 #include "simworld/lockstep/admission.hpp"
 #include "simworld/lockstep/interventions.hpp"
 #include "simworld/lockstep/pacer.hpp"
+#include "simworld/lockstep/recorder.hpp"
 #include "simworld/lockstep/repeats.hpp"
 #include "simworld/lockstep/run.hpp"
 
@@ -33,24 +34,7 @@ struct SessionOptions {
   Pace pace;
   std::vector<Fault> faults;
   std::vector<RosterChange> replay;  ///< losses and returns of another run, repeated at the same rounds
-};
-
-/// Samples and CDR payload bytes of one topic, as the world sent or took them.
-struct TopicCount {
-  std::uint64_t samples = 0;
-  std::uint64_t bytes = 0;
-};
-
-struct TopicCounts {
-  TopicCount mission, tick, sense, beacon, representative, obstacle_map;
-};
-
-/// Times at which the run changed phase, in the caller's clock; negative until then.
-struct PhaseTimes {
-  double created_s = -1.0;
-  double started_s = -1.0;  ///< the first round opened
-  double flying_s = -1.0;
-  double finished_s = -1.0;
+  Recorder* recorder = nullptr;      ///< is told of each round before its tick goes out; nullptr for none
 };
 
 class WorldSession {
@@ -64,6 +48,14 @@ class WorldSession {
 
   /// Publishes the newest tick once more: for observers, who may have missed it.
   void repeat_tick(double now_s) { publish_tick(now_s); }
+  /// Repeats what a world that died had recorded, in that order, before the first poll; nothing is sent.
+  /// @throws std::invalid_argument, std::logic_error if it is not what this run came to
+  void replay(const RoundInputs& inputs);
+  void replay(const Fault& fault) { interventions_.forget(fault); }
+  /// After that: goes on where the run stood. The open tick is repeated until all live agents are matched again, and
+  /// its deadline begins then. @param restarts worlds that died before this one
+  void resume(std::uint32_t restarts, double now_s);
+
   /// Takes what arrived and does what is due.
   void poll(double now_s);
   /// Seconds until the next poll has something to do, if nothing arrives before.
@@ -99,6 +91,8 @@ class WorldSession {
   [[nodiscard]] const std::vector<RosterChange>& unused_changes() const { return interventions_.unused_changes(); }
   [[nodiscard]] bool fail_fast() const { return options_.fail_fast; }
   [[nodiscard]] std::uint64_t run_id() const { return options_.run; }
+  /// Worlds of this run that died before this one.
+  [[nodiscard]] std::uint32_t world_restarts() const { return restarts_; }
 
  private:
   static constexpr double kWaitingTick_s = 0.5;
@@ -125,6 +119,10 @@ class WorldSession {
   void advance(double now_s);
   void go_on(const Tick& next, double now_s);
   void open(const Tick& tick, double now_s);
+  void expect(const Tick& tick, double now_s);
+  void repeat_tick(double now_s);
+  void record_round(double now_s) const;
+  void rematch(double now_s);
   void publish_mission(double now_s);
   void publish_tick(double now_s);
   void publish_sense(const RosterEntry& entry, double now_s);
@@ -151,6 +149,9 @@ class WorldSession {
   double pause_until_s_ = -1e9;       ///< for a newcomer that has heard no tick yet
   std::optional<double> last_poll_s_;
   double away_s_ = 0.0;  ///< time since the open tick in which nobody polled: it counts against no agent
+  std::uint32_t restarts_ = 0;
+  std::optional<double> resumed_s_;  ///< since when a world that was started again looks for its agents
+  SessionFigures replayed_;          ///< of the last round that was repeated
   std::vector<std::uint64_t> world_matched_;
   std::vector<bus::WorldInbound> inbox_;
   std::string start_failure_;

@@ -41,6 +41,7 @@ void WorldSession::start(double now_s) {
   if (is_held(now_s) || state_ != State::Waiting) return;
   state_ = State::Running;
   times_.started_s = now_s;
+  record_round(now_s);
   const Tick first = run_.begin(tick_.roster, std::exchange(lost_, {}), back_);
   go_on(first, now_s);
 }

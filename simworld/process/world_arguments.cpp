@@ -61,14 +61,19 @@ void add_world_options(CLI::App& app, WorldArguments& arguments) {
   app.add_option("--realtime", arguments.realtime, "pace to so many times real time; default: as fast as it goes")
       ->check(CLI::Range(0.1, 1000.0));
   app.add_flag("--fail-fast,!--keep-going", arguments.fail_fast, "end the run when an agent is lost; default: go on");
-  add_repeated(
-      app, "--fault",
-      "KIND:ID@plan:ROUND or KIND:ID@fly:STEP, KIND kill, stop, cont or restart: a fault on purpose; may be repeated",
-      [&arguments](const auto& text) {
-        const ParsedFault parsed = parse_fault(text);
-        if (!parsed.fault) throw CLI::ValidationError(parsed.error);
-        arguments.faults.push_back(*parsed.fault);
-      });
+  app.add_option("--checkpoint", arguments.checkpoint,
+                 "folder that keeps the run as it goes: a world that died goes on from there");
+  app.add_flag("--checkpoint-sync", arguments.checkpoint_sync,
+               "with --checkpoint: wait for the disk each round, against power loss as well");
+  add_repeated(app, "--fault",
+               "KIND:ID@plan:ROUND or KIND:ID@fly:STEP, KIND kill, stop, cont or restart, or kill:world@...: a fault "
+               "on purpose; "
+               "may be repeated",
+               [&arguments](const auto& text) {
+                 const ParsedFault parsed = parse_fault(text);
+                 if (!parsed.fault) throw CLI::ValidationError(parsed.error);
+                 arguments.faults.push_back(*parsed.fault);
+               });
 }
 
 std::optional<Scenario> load_or_complain(const WorldArguments& arguments) {
@@ -79,6 +84,11 @@ std::optional<Scenario> load_or_complain(const WorldArguments& arguments) {
   }
   Scenario scenario = std::get<Scenario>(std::move(result));
   for (const Fault& fault : arguments.faults) {
+    if (fault.agent == kWorldId) {
+      if (!arguments.checkpoint.empty()) continue;
+      std::cerr << "--fault " << text_of(fault) << ": a world goes on from a checkpoint alone: add --checkpoint DIR\n";
+      return std::nullopt;
+    }
     if (std::ranges::find(scenario.mission.vehicles, fault.agent, &VehicleSpec::id) ==
         scenario.mission.vehicles.end()) {
       std::cerr << fmt::format("--fault: the scenario has no vehicle {}\n", fault.agent);

@@ -13,6 +13,7 @@
 #include "idl/process/signals.hpp"
 #include "idl/process/turn.hpp"
 #include "planner/core/lockstep/names.hpp"
+#include "simworld/checkpoint/checkpoint.hpp"
 #include "simworld/control/control_channel.hpp"
 #include "simworld/process/progress.hpp"
 #include "simworld/report/report.hpp"
@@ -41,18 +42,25 @@ constexpr double kLastTick_s = 0.05;
 
 class WorldProcess {
  public:
-  WorldProcess(const WorldArguments& arguments, Scenario scenario)
+  /// @param checkpoint that the run is kept in and goes on from; nullptr for none
+  WorldProcess(const WorldArguments& arguments, Scenario scenario, Checkpoint* checkpoint)
       : scenario_(std::move(scenario)),
+        checkpoint_(checkpoint),
+        run_id_(checkpoint == nullptr ? random_id() : checkpoint->run()),
         signals_({SIGINT, SIGTERM}),
         channel_(arguments.control_fd),
         launcher_(channel_),
         nonce_(random_id()),
-        port_(dds_config(arguments.common, kWorldId, nonce_), ids_of(scenario_.mission),
-              [this] { return turn_.take(); }),
+        port_(world_config(arguments), ids_of(scenario_.mission), [this] { return turn_.take(); }),
         session_(scenario_, session_options(arguments), port_, channel_.open() ? &launcher_ : nullptr, steady_now_s()),
         launched_(channel_.open()) {}
 
   void run() {
+    if (checkpoint_ != nullptr) checkpoint_->restore(session_, steady_now_s());
+    if (session_.world_restarts() > 0) {
+      spdlog::warn("goes on with the run from its checkpoint at round {}, step {}", session_.run().rounds(),
+                   session_.run().step());
+    }
     channel_.send({{"launch", ids_of(scenario_.mission)}});
     // what is due before the own thread would look again (the next tick of a paced run) is its own to wait for
     const Turn::Service service(turn_, [this] { return serve() && session_.idle_s(steady_now_s()) >= kLook_s; });
@@ -81,13 +89,17 @@ class WorldProcess {
   /// @return whether the run goes on
   bool serve() {
     session_.poll(steady_now_s());
+    if (checkpoint_ != nullptr && !checkpoint_->failure().empty() && !std::exchange(checkpoint_lost_, true)) {
+      spdlog::error("the run goes on without its checkpoint: {}", checkpoint_->failure());
+    }
     progress_.show(session_, steady_now_s());
     return session_.state() != WorldSession::State::Done;
   }
 
   [[nodiscard]] SessionOptions session_options(const WorldArguments& arguments) const {
     SessionOptions options;
-    options.run = random_id();
+    options.run = run_id_;
+    options.recorder = checkpoint_;
     options.nonce = nonce_;
     options.startup_timeout_s = arguments.common.startup_timeout_s;
     options.settle_s = arguments.settle_s;
@@ -95,6 +107,12 @@ class WorldProcess {
     options.pace = {arguments.realtime, scenario_.lockstep.round_s};
     options.faults = arguments.faults;
     return options;
+  }
+
+  [[nodiscard]] bus::DdsConfig world_config(const WorldArguments& arguments) const {
+    bus::DdsConfig config = dds_config(arguments.common, kWorldId, nonce_);
+    config.run = run_id_;
+    return config;
   }
 
   void take_signals() {
@@ -120,6 +138,9 @@ class WorldProcess {
   }
 
   Scenario scenario_;
+  Checkpoint* checkpoint_;
+  bool checkpoint_lost_ = false;
+  std::uint64_t run_id_;
   SignalWatch signals_;
   ControlChannel channel_;
   LauncherControl launcher_;
@@ -135,6 +156,13 @@ class WorldProcess {
   }};
 };
 
+std::unique_ptr<Checkpoint> checkpoint_of(const WorldArguments& arguments, const Scenario& scenario) {
+  if (arguments.checkpoint.empty()) return nullptr;
+  const CheckpointOwner owner{random_id(),           scenario.mission.name,  scenario.scenario_hash,
+                              scenario.mission.seed, std::string(version()), arguments.fail_fast};
+  return std::make_unique<Checkpoint>(arguments.checkpoint, owner, arguments.checkpoint_sync);
+}
+
 }  // namespace
 
 int run_world(const WorldArguments& arguments) {
@@ -146,17 +174,25 @@ int run_world(const WorldArguments& arguments) {
   }
   start_log("skein-simworld", arguments.common);
   std::string folder;
+  std::unique_ptr<Checkpoint> checkpoint;
   try {
+    checkpoint = checkpoint_of(arguments, *scenario);
     folder = prepare_out(arguments.out, *scenario);
+  } catch (const CheckpointRefused& refused) {
+    std::cerr << refused.what() << "\n";
+    return static_cast<int>(refused.code);
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";
     return static_cast<int>(ExitCode::Usage);
   }
   nlohmann::ordered_json report;
   try {
-    WorldProcess process(arguments, *scenario);
+    WorldProcess process(arguments, *scenario, checkpoint.get());
     process.run();
     report = process.report();
+  } catch (const CheckpointRefused& refused) {
+    std::cerr << refused.what() << "\n";
+    return static_cast<int>(refused.code);
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
     return static_cast<int>(ExitCode::StartUp);
@@ -167,6 +203,7 @@ int run_world(const WorldArguments& arguments) {
     spdlog::error("{}; {}", report["reason"].get<std::string>(), error.what());
     return std::max(report["exit_code"].get<int>(), static_cast<int>(ExitCode::Failed));
   }
+  if (checkpoint) checkpoint->end(report["reason"].get<std::string>());
   const int exit_code = report["exit_code"].get<int>();
   spdlog::log(exit_code == 0 ? spdlog::level::info : spdlog::level::err, "{} (report: {}/report.json)",
               report["reason"].get<std::string>(), folder);

@@ -20,10 +20,12 @@ struct WorldArguments {
   std::vector<Override> overrides;
   std::vector<Fault> faults;
   bool fail_fast = false;
-  double realtime = 0.0;  ///< times real time; 0: as fast as it goes
-  std::string out;        ///< folder for report, scenario copy and logs; empty: skein-runs/<time>-<seed>
-  double settle_s = 1.0;  ///< silence before the mission is published, in which another world may be found
-  int control_fd = -1;    ///< of the launcher's socket pair; -1 when started by hand
+  double realtime = 0.0;   ///< times real time; 0: as fast as it goes
+  std::string out;         ///< folder for report, scenario copy and logs; empty: skein-runs/<time>-<seed>
+  double settle_s = 1.0;   ///< silence before the mission is published, in which another world may be found
+  std::string checkpoint;  ///< folder from which a world that died is started again; empty for none
+  bool checkpoint_sync = false;
+  int control_fd = -1;  ///< of the launcher's socket pair; -1 when started by hand
 };
 
 /// Adds SCENARIO, --seed, --set, --planner: what names a scenario.

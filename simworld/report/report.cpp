@@ -207,6 +207,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["pss_mb_per_agent"] = nullptr;
   report["topics"] = topics_of(session.topics());
   report["late_steps"] = session.late_steps();
+  report["world_restarts"] = session.world_restarts();
   report["refused_samples"] = session.refused_samples().total();
   report["lost_samples"] = context.lost_samples;
   return report;

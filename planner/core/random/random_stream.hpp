@@ -27,6 +27,7 @@ enum class Purpose : std::uint32_t {
   RadioLoss = 22,   ///< whether a receiver misses a sample; agent: the sender, index: receiver, step and round
   Mover = 23,       ///< moves of an obstacle; agent: its id, index: the step, 0 for what it starts with
   Delay = 24,       ///< of what is announced, of agent 0; index: the announcement
+  Chaos = 40,       ///< faults of a campaign, of agent 0; index: the run
   Test = 1000,      ///< draws of tests
 };
 

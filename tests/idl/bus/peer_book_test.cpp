@@ -139,6 +139,23 @@ TEST(PeerBook, OnlyTheLaterWorldIsInConflictAndTheHigherNonceIfAtTheSameTime) {
   EXPECT_THAT(book.conflict().value_or(""), HasSubstr("nonce 9"));
 }
 
+TEST(PeerBook, AWorldThatDiedIsNoConflictForTheOneThatGoesOnWithItsRun) {
+  PeerInfo own = info(Role::World, 5, 100);
+  own.run = 42;
+  PeerBook book(own);
+  PeerInfo dead = info(Role::World, 4, 99);
+  dead.run = 42;
+  book.discovered(kFirst, dead);
+  EXPECT_EQ(book.conflict(), std::nullopt);
+  dead.run = 43;
+  book.discovered(kFirst, dead);
+  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("nonce 4"));
+  PeerBook silent(info(Role::World, 5, 100));
+  dead.run = 0;
+  silent.discovered(kFirst, dead);
+  EXPECT_THAT(silent.conflict().value_or(""), HasSubstr("nonce 4")) << "none says which run it has";
+}
+
 TEST(PeerBook, AWorldOfAnotherSwarmOrAnAgentOfAnotherVersionIsNoConflict) {
   PeerBook book(info(Role::Agent, 5));
   PeerInfo stranger = info(Role::World, 9);

@@ -22,6 +22,14 @@ TEST(PeerInfo, SaysHowManyAgentsShareTheProcessIfNotOne) {
   EXPECT_EQ(peer_info_from(to_text(kGoose) + " members=257"), std::nullopt);
 }
 
+TEST(PeerInfo, SaysWhichRunAWorldHas) {
+  PeerInfo world = kGoose;
+  world.run = 42;
+  EXPECT_EQ(to_text(world), to_text(kGoose) + " run=42");
+  EXPECT_EQ(peer_info_from(to_text(world)), world);
+  EXPECT_EQ(peer_info_from(to_text(kGoose) + " run=x"), std::nullopt);
+}
+
 TEST(PeerInfo, SkipsWordsThatALaterVersionMayAdd) {
   EXPECT_EQ(peer_info_from(to_text(kGoose) + " colour=grey extra"), kGoose);
 }

@@ -6,12 +6,13 @@
 namespace skein {
 namespace {
 
-constexpr const char* kAllowed = "; allowed: kill|stop|cont|restart:ID@plan:ROUND or @fly:STEP";
+constexpr const char* kAllowed = "; allowed: kill|stop|cont|restart:ID@plan:ROUND or @fly:STEP, or kill:world@...";
 
 TEST(Faults, ReadWhatTheyWrite) {
   for (const Fault& fault :
        {Fault{FaultKind::Kill, 2, Phase::Planning, 25}, Fault{FaultKind::Stop, 1, Phase::Flying, 1},
         Fault{FaultKind::Cont, 9, Phase::Planning, 1}, Fault{FaultKind::Restart, 3, Phase::Flying, 7},
+        Fault{FaultKind::Kill, kWorldId, Phase::Planning, 25},
         Fault{FaultKind::Kill, 256, Phase::Flying, 4294967295U}}) {
     const ParsedFault parsed = parse_fault(text_of(fault));
     ASSERT_TRUE(parsed.fault.has_value()) << parsed.error;
@@ -22,6 +23,7 @@ TEST(Faults, ReadWhatTheyWrite) {
   EXPECT_EQ(text_of({FaultKind::Stop, 2, Phase::Flying, 120}), "stop:2@fly:120");
   EXPECT_EQ(text_of({FaultKind::Cont, 2, Phase::Flying, 121}), "cont:2@fly:121");
   EXPECT_EQ(text_of({FaultKind::Restart, 2, Phase::Planning, 1}), "restart:2@plan:1");
+  EXPECT_EQ(text_of({FaultKind::Kill, kWorldId, Phase::Flying, 120}), "kill:world@fly:120");
 }
 
 TEST(Faults, EachMistakeIsNamedInOneLine) {
@@ -36,6 +38,7 @@ TEST(Faults, EachMistakeIsNamedInOneLine) {
       {"kill:257@plan:3", "'257' is no agent id"},
       {"kill:-1@plan:3", "'-1' is no agent id"},
       {"kill:x@plan:3", "'x' is no agent id"},
+      {"stop:world@plan:3", "'world' is no agent id"},
       {"kill:@plan:3", "'' is no agent id"},
       {"kill:2@plan:0", "'0' is no round or step"},
       {"kill:2@fly:3x", "'3x' is no round or step"},

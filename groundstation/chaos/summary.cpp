@@ -1,0 +1,135 @@
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "groundstation/chaos/campaign.hpp"
+
+namespace skein::chaos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 5> kResults{"completed", "degraded", "unsafe", "hung", "stopped"};
+
+Json counts_of(const std::vector<const RunOutcome*>& outcomes) {
+  const auto results = [&](Result result) { return std::ranges::count(outcomes, result, &RunOutcome::result); };
+  std::size_t orphans = 0;
+  std::size_t leftovers = 0;
+  std::size_t unexplained = 0;
+  for (const RunOutcome* outcome : outcomes) {
+    orphans += outcome->orphans.size();
+    leftovers += outcome->leftovers.size();
+    unexplained += outcome->unexplained.size();
+  }
+  return {{"runs", outcomes.size()},
+          {"completed", results(Result::Completed)},
+          {"degraded", results(Result::Degraded)},
+          {"unsafe", results(Result::Unsafe)},
+          {"hangs", results(Result::Hung)},
+          {"orphans", orphans},
+          {"leftovers", leftovers},
+          {"unexplained", unexplained},
+          {"replay_mismatches", std::ranges::count(outcomes, true, &RunOutcome::replay_differs)}};
+}
+
+/// Mean and most of those runs that have the figure; null without one.
+template <typename Figure>
+Json spread_of(const std::vector<const RunOutcome*>& outcomes, Figure RunOutcome::*figure) {
+  double sum = 0.0;
+  double most = 0.0;
+  std::size_t count = 0;
+  for (const RunOutcome* outcome : outcomes) {
+    if (!(outcome->*figure)) continue;
+    const auto value = static_cast<double>(*(outcome->*figure));
+    sum += value;
+    most = std::max(most, value);
+    ++count;
+  }
+  if (count == 0) return nullptr;
+  return {{"runs", count}, {"mean", sum / static_cast<double>(count)}, {"max", most}};
+}
+
+Json of_kind(const std::vector<const RunOutcome*>& outcomes) {
+  Json entry = counts_of(outcomes);
+  entry["recovery_steps"] = spread_of(outcomes, &RunOutcome::recovery_steps);
+  entry["recovery_s"] = spread_of(outcomes, &RunOutcome::recovery_s);
+  Json reasons = Json::array();
+  for (const RunOutcome* outcome : outcomes) {
+    if (outcome->result != Result::Completed) {
+      reasons.push_back({{"seed", outcome->seed}, {"reason", outcome->reason}});
+    }
+  }
+  entry["reasons"] = reasons;
+  return entry;
+}
+
+Json of_run(const RunOutcome& outcome) {
+  Json run{{"seed", outcome.seed},
+           {"fault", outcome.fault},
+           {"result", kResults[static_cast<std::size_t>(outcome.result)]},
+           {"exit_code", outcome.exit_code},
+           {"reason", outcome.reason},
+           {"state_hash", outcome.state_hash},
+           {"replay_differs", outcome.replay_differs},
+           {"sound", is_sound(outcome)},
+           {"wall_s", outcome.wall_s}};
+  run["orphans"] = outcome.orphans;
+  run["leftovers"] = outcome.leftovers;
+  run["unexplained"] = outcome.unexplained;
+  return run;
+}
+
+std::string spread_text(const Json& spread, int digits) {
+  if (spread.is_null()) return "-";
+  return fmt::format("{:.{}f} ({:.{}f})", spread.at("mean").get<double>(), digits, spread.at("max").get<double>(),
+                     digits);
+}
+
+}  // namespace
+
+Json summary_of(const std::vector<RunOutcome>& outcomes) {
+  std::vector<const RunOutcome*> all;
+  std::map<Kind, std::vector<const RunOutcome*>> kinds;
+  Json runs = Json::array();
+  for (const RunOutcome& outcome : outcomes) {
+    all.push_back(&outcome);
+    kinds[outcome.kind].push_back(&outcome);
+    runs.push_back(of_run(outcome));
+  }
+  Json summary = counts_of(all);
+  summary["faults"] = Json::object();
+  for (const auto& [kind, of] : kinds) summary["faults"][std::string(name_of(kind))] = of_kind(of);
+  summary["per_run"] = runs;
+  return summary;
+}
+
+std::string text_of(const Json& summary) {
+  std::string text =
+      fmt::format("{:>8} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>7} {:>16} {:>16}\n", "fault", "runs", "completed",
+                  "degraded", "unsafe", "hangs", "orphans", "replay", "recovery steps", "recovery s");
+  const auto line = [&](const std::string& name, const Json& counts) {
+    const bool spreads = counts.contains("recovery_s");
+    text += fmt::format("{:>8} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>7} {:>16} {:>16}\n", name,
+                        counts.at("runs").get<int>(), counts.at("completed").get<int>(),
+                        counts.at("degraded").get<int>(), counts.at("unsafe").get<int>(), counts.at("hangs").get<int>(),
+                        counts.at("orphans").get<int>(), counts.at("replay_mismatches").get<int>(),
+                        spreads ? spread_text(counts.at("recovery_steps"), 1) : "",
+                        spreads ? spread_text(counts.at("recovery_s"), 2) : "");
+  };
+  for (const auto& [name, counts] : summary.at("faults").items()) line(name, counts);
+  line("all", summary);
+  for (const Json& run : summary.at("per_run")) {
+    if (run.at("result") == "completed" && run.at("sound").get<bool>()) continue;
+    text += fmt::format("seed {}, {}: {}: {}\n", run.at("seed").dump(), run.at("fault").get<std::string>(),
+                        run.at("result").get<std::string>(), run.at("reason").get<std::string>());
+    for (const char* key : {"orphans", "leftovers", "unexplained"}) {
+      for (const Json& item : run.at(key)) text += fmt::format("  {}: {}\n", key, item.get<std::string>());
+    }
+    if (run.at("replay_differs").get<bool>()) text += "  its replay has another state hash\n";
+  }
+  return text;
+}
+
+}  // namespace skein::chaos

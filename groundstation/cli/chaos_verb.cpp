@@ -1,0 +1,151 @@
+// skein chaos SCENARIO: many runs over real processes, each with a fault, and a table of what came of them.
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+
+#include "groundstation/chaos/campaign.hpp"
+#include "groundstation/cli/verbs.hpp"
+#include "idl/process/signals.hpp"
+#include "simworld/lockstep/run.hpp"
+#include "simworld/process/world_process.hpp"
+
+namespace skein {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kDeadlineKey = "lockstep.deadline_s";
+constexpr const char* kDeadline = "2";  ///< a campaign would wait for most of its time else
+
+struct ChaosArguments {
+  WorldArguments world;
+  std::uint32_t runs = 10;
+  std::string faults;
+  double limit_s = 120.0;
+  bool json = false;
+};
+
+/// Refused ones are in `refused`, by name; of a file all must be possible. @throws std::runtime_error
+std::vector<chaos::Disturbance> kinds_of(const std::string& path, std::map<std::string, std::string>& refused) {
+  std::vector<chaos::Disturbance> kinds = chaos::all_kinds();
+  if (!path.empty()) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error(fmt::format("--faults {}: it cannot be read", path));
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    auto read = chaos::read_kinds(text, path);
+    if (const auto* fault = std::get_if<std::string>(&read)) throw std::runtime_error(*fault);
+    kinds = std::get<std::vector<chaos::Disturbance>>(std::move(read));
+  }
+  std::erase_if(kinds, [&](const chaos::Disturbance& kind) {
+    const auto obstacle = chaos::obstacle_to(kind.kind);
+    if (obstacle) refused[std::string(chaos::name_of(kind.kind))] = *obstacle;
+    return obstacle.has_value();
+  });
+  if (!path.empty() && !refused.empty()) {
+    throw std::runtime_error(fmt::format("--faults {}: {} {}", path, refused.begin()->first, refused.begin()->second));
+  }
+  return kinds;
+}
+
+std::string folder_of(const ChaosArguments& arguments) {
+  if (!arguments.world.out.empty()) return std::filesystem::absolute(arguments.world.out).string();
+  const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+  return std::filesystem::absolute(fmt::format("skein-runs/chaos-{:%Y%m%dT%H%M%S}", fmt::gmtime(now))).string();
+}
+
+chaos::CampaignPlan plan_of(ChaosArguments& arguments, const Scenario& scenario) {
+  chaos::CampaignPlan plan;
+  plan.binaries = std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
+  plan.folder = folder_of(arguments);
+  plan.scenario = scenario;
+  plan.seed = scenario.mission.seed;
+  plan.runs = arguments.runs;
+  plan.limit_s = arguments.limit_s;
+  const CommonFlags& common = arguments.world.common;
+  plan.arguments = {"--domain",          std::to_string(common.domain),
+                    "--profile",         common.profile,
+                    "--log-level",       common.log_level,
+                    "--startup-timeout", fmt::format("{}", common.startup_timeout_s)};
+  for (const Override& item : arguments.world.overrides) {
+    plan.arguments.insert(plan.arguments.end(), {"--set", item.key + "=" + item.value});
+  }
+  plan.arguments.insert(plan.arguments.end(), {"--", arguments.world.scenario});
+  return plan;
+}
+
+void print(const Json& summary, const std::map<std::string, std::string>& refused, bool json) {
+  if (json) {
+    std::cout << summary.dump(2) << "\n";
+    return;
+  }
+  std::cout << chaos::text_of(summary);
+  for (const auto& [kind, why] : refused) std::cout << fmt::format("{} was left out: {}\n", kind, why);
+}
+
+int campaign(ChaosArguments& arguments, const Scenario& scenario) {
+  std::map<std::string, std::string> refused;
+  chaos::CampaignPlan plan = plan_of(arguments, scenario);
+  plan.kinds = kinds_of(arguments.faults, refused);
+  const SignalWatch signals({SIGINT, SIGTERM});
+  std::optional<int> signal;
+  plan.interrupted = [&] {
+    if (const auto arrived = signals.take()) signal = arrived;
+    return signal.has_value();
+  };
+  plan.on_run = [&](const chaos::RunOutcome& outcome, std::size_t done) {
+    std::cerr << fmt::format("{} of {}: seed {}, {}: {}{}\n", done, plan.runs, outcome.seed, outcome.fault,
+                             outcome.reason,
+                             chaos::is_sound(outcome) ? "" : fmt::format(" [kept in {}/{}]", plan.folder, done - 1))
+              << std::flush;
+  };
+  const std::vector<chaos::RunOutcome> outcomes = chaos::run_campaign(plan);
+  std::error_code ignored;
+  std::filesystem::remove(plan.folder, ignored);  // unless there is something in it
+  Json summary{{"scenario", scenario.mission.name}, {"seed", plan.seed}, {"refused", refused}};
+  summary.update(chaos::summary_of(outcomes));
+  print(summary, refused, arguments.json);
+  if (signal) return 128 + *signal;
+  return std::ranges::all_of(outcomes, chaos::is_sound) ? 0 : static_cast<int>(ExitCode::Failed);
+}
+
+int run(ChaosArguments& arguments) {
+  try {
+    auto& overrides = arguments.world.overrides;
+    if (std::ranges::find(overrides, kDeadlineKey, &Override::key) == overrides.end()) {
+      overrides.push_back({kDeadlineKey, kDeadline});
+    }
+    const std::optional<Scenario> scenario = load_or_complain(arguments.world);
+    return scenario ? campaign(arguments, *scenario) : static_cast<int>(ExitCode::Usage);
+  } catch (const std::exception& error) {
+    std::cerr << "skein chaos: " << error.what() << "\n";
+    return static_cast<int>(ExitCode::Usage);
+  }
+}
+
+}  // namespace
+
+VerbAction add_chaos_verb(CLI::App& app) {
+  auto arguments = std::make_shared<ChaosArguments>();
+  CLI::App* verb = app.add_subcommand("chaos", "many runs with a fault each: what holds, and what it costs");
+  add_common_flags(*verb, arguments->world.common);
+  verb->remove_option(verb->get_option("--swarm"));  // each run has one of its own
+  add_scenario_options(*verb, arguments->world);
+  verb->add_option("--runs", arguments->runs, "how many")->check(CLI::Range(1U, 100000U))->capture_default_str();
+  verb->add_option("--faults", arguments->faults,
+                   "file of faults, one a line; by default all that this machine can do");
+  verb->add_option("--limit", arguments->limit_s, "seconds after which a run hangs")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  verb->add_option("--out", arguments->world.out, "folder for the runs; those that kept every promise are removed");
+  verb->add_flag("--json", arguments->json, "print the table as JSON on standard output");
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace skein

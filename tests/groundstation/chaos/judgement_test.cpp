@@ -1,0 +1,111 @@
+// What a report is judged to be, and what a campaign sums up: made by hand, with one thing wrong each.
+#include "groundstation/chaos/judgement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "groundstation/chaos/campaign.hpp"
+#include "groundstation/inprocess/in_process.hpp"
+
+namespace skein::chaos {
+namespace {
+
+const Scenario& small() {
+  static const Scenario scenario =
+      std::get<Scenario>(load_scenario(SKEIN_SOURCE_DIR "/tests/data/small.yaml", {}, std::nullopt));
+  return scenario;
+}
+
+/// The report of a run of two that `faults` befell, as the launcher completes it.
+nlohmann::json report_with(const std::vector<Fault>& faults = {}) {
+  InProcessOptions options;
+  options.faults = faults;
+  nlohmann::json report = nlohmann::json::parse(run_in_process(small(), options).report.dump());
+  for (const int agent : {1, 2}) report["processes"].push_back({{"agent", agent}, {"ended_by", "exit status 0"}});
+  return report;
+}
+
+RunOutcome judged(const nlohmann::json& report, Kind kind = Kind::Kill) {
+  RunOutcome outcome;
+  outcome.kind = kind;
+  outcome.exit_code = report.is_object() ? report.value("exit_code", -1) : 2;
+  judge(report, small(), outcome);
+  return outcome;
+}
+
+TEST(Judgement, ARunThatSucceededIsCompleted) {
+  const RunOutcome outcome = judged(report_with());
+  EXPECT_EQ(outcome.result, Result::Completed);
+  EXPECT_EQ(outcome.reason, "all vehicles arrived in formation");
+  EXPECT_TRUE(is_sound(outcome));
+  EXPECT_EQ(outcome.recovery_steps, std::nullopt);
+}
+
+TEST(Judgement, ALossIsDegradedWithItsReasonAndARestartIsARecovery) {
+  nlohmann::json report =
+      report_with({{FaultKind::Kill, 2, Phase::Flying, 40}, {FaultKind::Restart, 2, Phase::Flying, 52}});
+  report["processes"][1]["ended_by"] = "signal 9 (Killed)";
+  const RunOutcome outcome = judged(report);
+  EXPECT_EQ(outcome.result, Result::Degraded);
+  EXPECT_NE(outcome.reason.find("agent 2 was lost"), std::string::npos);
+  EXPECT_TRUE(is_sound(outcome));
+  EXPECT_EQ(outcome.recovery_steps, 12U);
+  EXPECT_EQ(outcome.recovery_s, 6.0);
+  EXPECT_TRUE(is_sound(judged(report, Kind::Slow))) << "who stands still at the end is killed";
+  EXPECT_FALSE(is_sound(judged(report, Kind::World))) << "no agent dies of the world's death";
+}
+
+TEST(Judgement, WhatBreaksAnInvariantIsNotSound) {
+  nlohmann::json report = report_with();
+  report["collisions"] = 1;
+  EXPECT_EQ(judged(report).result, Result::Unsafe);
+  EXPECT_FALSE(is_sound(judged(report)));
+  report = report_with();
+  report["state_hash"] = "0000000000000000";
+  EXPECT_TRUE(judged(report).replay_differs);
+  report = report_with();
+  report["processes"][0]["ended_by"] = "signal 11 (Segmentation fault)";
+  EXPECT_EQ(judged(report).unexplained, std::vector<std::string>{"agent 1: signal 11 (Segmentation fault)"});
+  EXPECT_FALSE(is_sound(judged(nullptr)));
+  EXPECT_EQ(judged(nullptr).unexplained, std::vector<std::string>{"no report, exit code 2"});
+}
+
+TEST(Judgement, TheWorldsRecoveryIsInSeconds) {
+  nlohmann::json report = report_with();
+  report["world_recovery_s"] = {0.25, 0.75};
+  const RunOutcome outcome = judged(report, Kind::World);
+  EXPECT_EQ(outcome.recovery_steps, 0U);
+  EXPECT_EQ(outcome.recovery_s, 0.75);
+}
+
+TEST(Summary, CountsByKindAndNamesEachReason) {
+  RunOutcome good = judged(report_with());
+  good.kind = Kind::Pause;
+  good.seed = 3;
+  RunOutcome slow = good;
+  slow.recovery_steps = 4;
+  RunOutcome hung;
+  hung.kind = Kind::Stop;
+  hung.seed = 9;
+  hung.fault = "stop:1@fly:3";
+  hung.result = Result::Hung;
+  hung.reason = "it did not end within 120 s";
+  hung.orphans = {"process 12"};
+  const auto summary = summary_of({good, slow, hung});
+  EXPECT_EQ(summary.at("runs"), 3);
+  EXPECT_EQ(summary.at("completed"), 2);
+  EXPECT_EQ(summary.at("hangs"), 1);
+  EXPECT_EQ(summary.at("orphans"), 1);
+  EXPECT_EQ(summary.at("replay_mismatches"), 0);
+  EXPECT_EQ(summary.at("faults").at("pause").at("completed"), 2);
+  EXPECT_EQ(summary.at("faults").at("pause").at("recovery_steps").at("mean"), 4.0);
+  EXPECT_TRUE(summary.at("faults").at("pause").at("recovery_s").is_null());
+  EXPECT_EQ(summary.at("faults").at("stop").at("reasons").at(0).at("reason"), "it did not end within 120 s");
+  const std::string text = text_of(summary);
+  EXPECT_NE(text.find("seed 9, stop:1@fly:3: hung: it did not end within 120 s\n  orphans: process 12\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("seed 3"), std::string::npos) << "what went well is not told one by one";
+}
+
+}  // namespace
+}  // namespace skein::chaos

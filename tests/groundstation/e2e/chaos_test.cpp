@@ -1,0 +1,79 @@
+// Only whole processes can prove it: a campaign of faults ends with a table, keeps every promise, and leaves nothing.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/groundstation/e2e/skein.hpp"
+
+namespace skein::e2e {
+namespace {
+
+constexpr unsigned kDomain = 86;
+
+Ended chaos(const std::string& scenario, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{binary("skein"), "chaos", scenario, "--domain", std::to_string(kDomain)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_program(arguments, 500.0);
+}
+
+std::string faults_file(const ScratchFolder& out, const std::string& text) {
+  const std::string path = out.path() + "/faults";
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(Chaos, EveryRunKeepsTheInvariants) {
+  const ScratchFolder out;
+  const unsigned runs = seeds_or("SKEIN_E2E_CHAOS", 6);
+  const std::string faults = faults_file(out, "kill\nworld\nstop\npause\nrestart\nslow\n");
+  for (const char* scenario : {"rendezvous-ring", "transit-power-station"}) {
+    std::vector<std::string> flags{"--runs", std::to_string(runs), "--seed", "7", "--faults", faults,
+                                   "--out",  out.path() + "/runs", "--json"};
+    if (std::string(scenario) != "rendezvous-ring") flags.insert(flags.end(), {"--agents", "5"});
+    const Ended ended = chaos(scenario_path(scenario), flags);
+    ASSERT_EQ(ended.exit_code, 0) << ended.err << ended.out;
+    const auto summary = nlohmann::json::parse(ended.out);
+    EXPECT_EQ(summary.at("runs"), runs);
+    EXPECT_EQ(summary.at("completed").get<unsigned>() + summary.at("degraded").get<unsigned>(), runs);
+    for (const char* key : {"unsafe", "hangs", "orphans", "leftovers", "unexplained", "replay_mismatches"}) {
+      EXPECT_EQ(summary.at(key), 0) << key << summary.dump(2);
+    }
+    for (const char* kind : {"world", "pause", "slow"}) {
+      if (!summary.at("faults").contains(kind)) continue;
+      const auto& counts = summary.at("faults").at(kind);
+      EXPECT_EQ(counts.at("completed"), counts.at("runs")) << summary.dump(2);
+    }
+    EXPECT_FALSE(std::filesystem::exists(out.path() + "/runs")) << "nothing is kept of a sound campaign";
+    EXPECT_TRUE(gone_within(out.path() + "/runs", 5.0));
+  }
+}
+
+TEST(Chaos, WhatIsWrongIsNamedInOneLine) {
+  const ScratchFolder out;
+  const std::string small = std::string(SKEIN_SOURCE_DIR) + "/tests/data/small.yaml";
+  const std::string faults = faults_file(out, "kill\nmelt\n");
+  const Ended unknown = chaos(small, {"--faults", faults});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_EQ(unknown.err, "skein chaos: " + faults +
+                             ":2:1: unknown fault 'melt'; allowed: kill, stop, restart, world, "
+                             "pause, slow, drop, delay\n");
+  const Ended missing = chaos(small, {"--faults", out.path() + "/none"});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_EQ(missing.err, "skein chaos: --faults " + out.path() + "/none: it cannot be read\n");
+  EXPECT_EQ(chaos(out.path() + "/none.yaml", {}).exit_code, 2);
+}
+
+TEST(Chaos, ASignalEndsTheCampaignAndItsRun) {
+  const ScratchFolder out;
+  Program program({binary("skein"), "chaos", scenario_path("rendezvous-ring"), "--runs", "1000", "--domain",
+                   std::to_string(kDomain), "--faults", faults_file(out, "pause\n"), "--out", out.path() + "/runs"});
+  ASSERT_TRUE(program.read_until("2 of 1000", 60.0));
+  program.signal_group(SIGTERM);
+  EXPECT_EQ(program.wait(30.0).exit_code, 143);
+  EXPECT_TRUE(gone_within(out.path() + "/runs", 5.0));
+}
+
+}  // namespace
+}  // namespace skein::e2e
