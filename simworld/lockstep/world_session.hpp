@@ -47,7 +47,7 @@ class WorldSession {
                double now_s);
 
   /// Publishes the newest tick once more: for observers, who may have missed it.
-  void repeat_tick(double now_s) { publish_tick(now_s); }
+  void remind(double now_s) { publish_tick(now_s); }
   /// Repeats what a world that died had recorded, in that order, before the first poll; nothing is sent.
   /// @throws std::invalid_argument, std::logic_error if it is not what this run came to
   void replay(const RoundInputs& inputs);

@@ -76,7 +76,7 @@ class WorldProcess {
     if (!port_.flush(std::chrono::milliseconds(1000))) spdlog::warn("not all samples were acknowledged");
     for (int copy = 0; copy < kLastTicks && port_.observed(); ++copy) {
       wait_readable({signals_.fd()}, kLastTick_s);
-      session_.repeat_tick(steady_now_s());
+      session_.remind(steady_now_s());
     }
   }
 
