@@ -26,6 +26,9 @@ std::unique_ptr<Behaviour> make_rejoined_behaviour(const Mission& mission, Agent
   if (mission.kind == MissionKind::Rendezvous && mission.planner.replan != 0) {
     return std::make_unique<RendezvousBehaviour>(mission, self, true);
   }
+  if (mission.transit && mission.transit->planner.name == kStraight) {
+    return std::make_unique<StraightBehaviour>(mission, self);  // needs nothing of its former life
+  }
   return std::make_unique<RejoinedBehaviour>();
 }
 

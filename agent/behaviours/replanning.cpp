@@ -52,6 +52,14 @@ std::optional<std::uint32_t> Replanning::called_switch(const Tick& tick, std::sp
   return latest;
 }
 
+/// Whoever is live now and was not when the attempt began has not accepted the plan.
+bool Replanning::someone_came(const Tick& tick) const {
+  return std::ranges::any_of(tick.roster, [this](const RosterEntry& now) {
+    return std::ranges::none_of(
+        crew_, [&](const RosterEntry& then) { return then.agent == now.agent && then.incarnation == now.incarnation; });
+  });
+}
+
 ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> peers, bool takes_part) {
   sample_.reset();
   if (!takes_part) {
@@ -62,6 +70,7 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
   if (const auto step = called_switch(tick, peers)) {
     state_ = State::Joined;
     attempt_ = tick.round - 1;
+    crew_ = tick.roster;
     switch_step_ = *step;
     plan_.reset();
     return ReplanEvent::Join;
@@ -74,7 +83,7 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
     plan(tick, peers);
   }
   const bool due = tick.phase == Phase::Flying && tick.step >= switch_step_;
-  if (due && state_ == State::Ready) {
+  if (due && state_ == State::Ready && !someone_came(tick)) {
     state_ = State::Idle;
     failures_ = 0;
     return ReplanEvent::Switch;
@@ -202,6 +211,7 @@ NewPlan Replanning::take() {
 }
 
 void Replanning::add_to(StateHash& hash) const {
+  for (const RosterEntry& entry : crew_) hash.add(entry.agent).add(entry.incarnation);
   hash.add(state_).add(attempt_).add(switch_step_).add(failures_).add(failed_step_);
   if (engaged()) skein::add_to(hash, own_);
   hash.add(shortest_m_).add(goal_m_);

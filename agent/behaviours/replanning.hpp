@@ -16,8 +16,9 @@
 // A call says when to switch, and so does who needs longer to its final place; of several in one round the latest
 // counts. A newer call takes the place of an attempt that is under way: it comes from one who could not join that one.
 // All of it follows from samples of one round that all live agents see alike, so all join, plan, fail and switch in the
-// same rounds, whoever is lost on the way; and Ready says that all live agents that take part accepted the plan. Who
-// arrived, or has no vehicle, takes no part; its peers do not wait for it.
+// same rounds, whoever is lost on the way; and Ready says that all live agents that take part accepted the plan. If
+// somebody came back since the attempt began, it fails instead of the switch. Who arrived, or has no vehicle, takes no
+// part; its peers do not wait for it.
 //
 // Source: papers/001, section 5. Departs from source: own; the paper only names the on-line use. Complexity: that of
 // the planner's rounds.
@@ -25,6 +26,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "planner/core/lockstep/samples.hpp"
 #include "planner/rendezvous/planner.hpp"
@@ -112,11 +114,13 @@ class Replanning {
   void plan(const Tick& tick, std::span<const Representative> peers);
   void fail(const Tick& tick);
   void publish_revision();
+  [[nodiscard]] bool someone_came(const Tick& tick) const;
 
   const Mission mission_;
   AgentId self_;
   State state_ = State::Idle;
   std::uint32_t attempt_ = 0;
+  std::vector<RosterEntry> crew_;  ///< who was live when the attempt began
   std::uint32_t switch_step_ = 0;
   std::uint32_t failures_ = 0;
   std::uint32_t failed_step_ = 0;

@@ -48,6 +48,11 @@ RoundOutput StraightBehaviour::on_round(const RoundInput& input) {
 }
 
 void StraightBehaviour::fly(const Tick& tick, const Sense& sense) {
+  if (!sense.obeyed) {  // it came back, and its vehicle is not its own
+    last_.mode = AgentMode::Rejoined;
+    last_.commanded_velocity_mps = sense.velocity_mps;
+    return;
+  }
   surroundings_.look(tick, sense);
   const Vec3 wish_mps = attraction(goal_m_ - sense.pose.position_m, own_.speed_mps, own_.max_acceleration_mps2);
   const Steering steering = controller_.command(surroundings_.scene(), wish_mps);

@@ -3,6 +3,7 @@
 //   phase     mode of the round                                    publishes  commands
 //   planning  Ready: there is nothing to plan before               nothing    nothing
 //   flying    Flying; Arrived; Deadlock: no progress for so long   nothing    the controller's velocity
+//   flying    Rejoined, while its vehicle does not obey it         nothing    nothing that counts
 //   finished  as before                                            nothing    nothing
 // The goal attracts (agent/controller/apf.hpp). It is progress to come `goal_radius_m` nearer than ever; who waits for
 // a zone to be confirmed loses no patience. Source: papers/002, Eq. 4. Departs from source: none beyond the

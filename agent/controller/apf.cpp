@@ -62,14 +62,16 @@ Vec3 level(const Vec3& v) {
 }
 
 /// The sum of all repulsions, as a part of the vehicle's speed.
-Vec3 push_of_all(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene) {
+/// @param eager part of its speed that the vehicle wishes to fly: who is about to arrive gives less way to peers, which
+/// mind it as it minds them, so that several can close in on one goal
+Vec3 push_of_all(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene, double eager) {
   const double own_m = spec.radius_m + options.margin_m;
   const Vec3& p = scene.position_m;
   const Vec3& v = scene.velocity_mps;
   Vec3 sum = Vec3::Zero();
   for (const Neighbour& other : scene.neighbours) {
     const Body body{p - other.position_m, v - other.velocity_mps, own_m + other.radius_m, kWider};
-    sum += push_of(body, options.horizon_s);
+    sum += eager * push_of(body, options.horizon_s);
   }
   for (const Track& track : scene.tracks) {
     Body body{p - track.position_m, v - track.velocity_mps, own_m + track.radius_m, track.fixed ? 1.0 : kWider};
@@ -101,7 +103,7 @@ double repulsion(double x) {
 
 Vec3 apf_velocity(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene, const Vec3& wish_mps) {
   const bool flat = wish_mps.z() == 0.0 && scene.velocity_mps.z() == 0.0;
-  Vec3 push = push_of_all(options, spec, scene);
+  Vec3 push = push_of_all(options, spec, scene, std::min(1.0, wish_mps.norm() / spec.speed_mps));
   if (flat) push.z() = 0.0;
   Vec3 wanted_mps = wish_mps;
   if (!push.isZero(0.0)) wanted_mps = clipped(wish_mps + spec.speed_mps * push, spec.speed_mps);

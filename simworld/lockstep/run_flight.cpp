@@ -77,7 +77,8 @@ void Run::decide_flight(const Barrier& answers) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
     commands.push_back({entry.agent, beacon.commanded_velocity_mps, beacon.mode == AgentMode::Arrived});
     if (mission_.transit) world_.note_given_up(entry.agent, given_up(beacon.mode));
-    if (replans() && beacon.mode == AgentMode::Flying) world_.take_up(entry.agent);
+    const bool flies_on = replans() || (mission_.transit && mission_.transit->planner.name == kStraight);
+    if (flies_on && beacon.mode == AgentMode::Flying) world_.take_up(entry.agent);
   }
   world_.advance(step_, commands);
   if (radio_) log_radio(answers);

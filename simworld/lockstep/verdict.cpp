@@ -106,7 +106,8 @@ Verdict Run::verdict() const {
       continue;
     }
     losses += fmt::format("agent {} was lost {}: {}", change.agent, when, name_of(change.reason));
-    if (failure.empty()) verdict.completed_without.push_back(change.agent);
+    const bool there = world_.vehicle(change.agent).status == VehicleStatus::Arrived;
+    if (failure.empty() && !there) verdict.completed_without.push_back(change.agent);
   }
   std::ranges::sort(verdict.completed_without);
   const auto twice = std::ranges::unique(verdict.completed_without);
@@ -117,7 +118,10 @@ Verdict Run::verdict() const {
     verdict.reason = describe(*hit, mission_, world_);
   } else if (!losses.empty()) {
     verdict.code = ExitCode::AgentLost;
-    verdict.reason = failure.empty() ? losses + "; the others arrived" : losses + "; " + failure;
+    verdict.reason = losses + "; " +
+                     (!failure.empty()                    ? failure
+                      : verdict.completed_without.empty() ? "all vehicles arrived"
+                                                          : "the others arrived");
   } else if (!failure.empty()) {
     verdict.code = ExitCode::Failed;
     verdict.reason = failure;

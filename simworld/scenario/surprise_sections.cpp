@@ -49,20 +49,35 @@ MoverMotion read_loop(const MapReader& item, const Mover& mover) {
   return loop;
 }
 
+/// Keys of other motions would mean nothing.
+void refuse_others(const MapReader& item, std::initializer_list<Keys> own, Keys motion) {
+  for (const Keys key : {"vx_mps", "vy_mps", "vz_mps", "waypoints", "speed_mps", "turn_s", "within"}) {
+    if (item.find(key) == nullptr || std::ranges::find(own, key) != own.end()) continue;
+    item.refuse(key, fmt::format("no such key of what {}", motion));
+  }
+}
+
 MoverMotion read_motion(const MapReader& item, const Mover& mover, const std::optional<Box>& area) {
+  if (mover.ahead && mover.ahead->crosses) {
+    refuse_others(item, {}, "crosses");
+    return LineMotion{Vec3(item.map("ahead", kAhead, true).number("crossing_mps", kSpeed), 0.0, 0.0)};
+  }
   if (item.find("vx_mps") != nullptr) {
+    refuse_others(item, {"vx_mps", "vy_mps", "vz_mps"}, "flies a line");
     const double vx_mps = item.number("vx_mps", kVelocity);
     const double vy_mps = item.number("vy_mps", kVelocity);
     return LineMotion{Vec3(vx_mps, vy_mps, mover.column ? 0.0 : item.number("vz_mps", kVelocity, 0.0))};
   }
   if (item.find("waypoints") != nullptr) {
     if (mover.ahead) item.refuse("waypoints", "no loop with ahead");
+    refuse_others(item, {"waypoints", "speed_mps"}, "flies a loop");
     return read_loop(item, mover);
   }
-  if (mover.ahead && mover.ahead->crosses) {
-    return LineMotion{Vec3(item.map("ahead", kAhead, true).number("crossing_mps", kSpeed), 0.0, 0.0)};
+  if (item.find("turn_s") == nullptr) {
+    refuse_others(item, {}, "stands");
+    return StillMotion{};
   }
-  if (item.find("turn_s") == nullptr) return StillMotion{};
+  refuse_others(item, {"speed_mps", "turn_s", "within"}, "walks");
   WalkMotion walk{item.number("speed_mps", kSpeed), item.number("turn_s", {1e-3, 1e6, "s"}), {}};
   walk.within = item.find("within") == nullptr && area ? *area : read_box(item.map("within", kBox, true));
   return walk;

@@ -197,7 +197,8 @@ class World {
   std::vector<bool> in_hidden_;  ///< vehicle x hidden obstacle
   std::vector<double> least_m_;  ///< vehicle x vehicle: least distance so far
   std::vector<bool> grounded_;   ///< vehicle: in contact with the terrain in the last step
-  std::vector<bool> in_mover_;   ///< vehicle x mover
+  std::vector<bool> in_mover_;   ///< vehicle x mover, in motion
+  std::vector<bool> rammed_;     ///< vehicle x mover, at rest
   std::vector<bool> in_closed_;  ///< vehicle x announced zone
   std::optional<double> min_separation_m_;
   std::optional<double> min_clearance_m_;

@@ -49,6 +49,7 @@ void World::prepare(const Mission& mission, const Surprises& surprises) {
   }
   movers_ = Movers(std::move(movers), std::move(goals_m), clearance_m, seed_, step_s_);
   in_mover_.resize(vehicles_.size() * movers_.all().size());
+  rammed_.resize(in_mover_.size());
   movers_.open(1, bystanders());
 }
 
@@ -104,14 +105,14 @@ void World::check_movers(std::uint32_t step) {
     for (std::size_t m = 0; m < movers.size(); ++m) {
       const std::size_t key = i * movers.size() + m;
       if (!in_the_air(i) || !movers[m].present) {
-        in_mover_[key] = false;
+        in_mover_[key] = rammed_[key] = false;
         continue;
       }
       const double apart_m = least_distance_m(motions_[i], movers[m]);
       const double body_m = apart_m - vehicles_[i].spec.radius_m - movers[m].spec.radius_m;
       min_clearance_m_ = std::min(min_clearance_m_.value_or(body_m), body_m);
       const bool at_rest = motions_[i].length_m <= kAtRest_m;
-      note(body_m <= 0.0, in_mover_, key,
+      note(body_m <= 0.0, at_rest ? rammed_ : in_mover_, key,
            {at_rest ? ContactKind::Rammed : ContactKind::Mover, step, vehicles_[i].spec.id,
             static_cast<std::uint32_t>(m), apart_m});
     }

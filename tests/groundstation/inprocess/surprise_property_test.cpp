@@ -144,5 +144,51 @@ TEST(Surprises, AnAgentThatCameBackTakesPartInTheNextPlan) {
   EXPECT_GE(count_replans(report, "no_plan"), 1U);
 }
 
+TEST(Surprises, WhoComesBackInTheStepOfTheSwitchKeepsAllFromSwitching) {
+  const Scenario scenario = transit_scenario("rendezvous-surprise", 4, {{"vehicles.on_agent_loss", "continue"}});
+  InProcessOptions once;
+  once.replay = {{300, 355, 2, 1, LossReason::ProcessEnded}, {300, 355, 2, 2, LossReason::Rejoined}};
+  const Json first = run_in_process(scenario, once).report;
+  const auto& plan = first.at("replans").at(0);
+  ASSERT_EQ(plan.at("outcome"), "switched");
+  const std::uint32_t step = plan.at("switch_step");
+  const std::uint32_t per_step = 20;
+  const auto round_of = [&](std::uint32_t k) {  // of the flight round of a step while the swarm plans
+    return plan.at("round").get<std::uint32_t>() + (k - plan.at("step").get<std::uint32_t>()) * per_step;
+  };
+  InProcessOptions late = once;
+  late.replay.push_back({step - 1, round_of(step - 1), 1, 1, LossReason::ProcessEnded});
+  late.replay.push_back({step, round_of(step), 1, 2, LossReason::Rejoined});
+  const Json second = run_in_process(scenario, late).report;
+  ASSERT_EQ(second.at("roster_changes").size(), 4U) << "both moments came";
+  for (const auto& event : second.at("events")) {
+    if (event.at("step") != step) continue;
+    EXPECT_NE(event.at("mode"), "autonomous") << event.dump();
+  }
+  expect_untouched(second, 4);
+}
+
+TEST(Surprises, OnAStraightTransitWhoComesBackFliesOn) {
+  const Scenario scenario =
+      transit_scenario("swarm-crossing", 3, {{std::string(kAgentsFlag), "4"}, {"vehicles.on_agent_loss", "continue"}});
+  InProcessOptions options;
+  options.replay = {{30, 31, 1, 1, LossReason::ProcessEnded}, {33, 34, 1, 2, LossReason::Rejoined}};
+  const Json report = run_in_process(scenario, options).report;
+  EXPECT_EQ(count_status(report, "arrived"), 4U) << report.at("reason");
+  EXPECT_EQ(report.at("exit_code"), 4);
+  EXPECT_TRUE(report.at("completed_without").empty()) << "all arrived, the lost one too";
+}
+
+TEST(Surprises, SeveralCloseInOnOneGoal) {
+  for (const char* agents : {"2", "3", "4", "6"}) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const Json report = fly("random-scenes", seed,
+                              {{"vehicles.agents", agents}, {"draw.own_goals", "0"}, {"random_obstacles.count", "0"}});
+      EXPECT_EQ(report.at("exit_code"), 0) << agents << ": " << report.at("reason");
+      EXPECT_EQ(report.at("collisions"), 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace skein

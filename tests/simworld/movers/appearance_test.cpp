@@ -25,9 +25,11 @@ VehicleSpec spec_of(VehicleType type) {
 }
 
 TEST(Appearance, NeedsTheWayThatAVehicleNeedsToAvoidIt) {
-  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 0.0, kStep_s), 1.0 + 12.5);
-  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 2.0, kStep_s), 13.5 + 2.0 * 2.6);
-  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 0.0, 2.0, kStep_s), 0.2);
+  const double whole_steps_m = 4.0 * kStep_s * kStep_s / 8.0;
+  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 0.0, kStep_s), 13.5 + whole_steps_m);
+  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 2.0, kStep_s),
+                   13.5 + whole_steps_m + 2.0 * 2.6);
+  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 0.0, 2.0, kStep_s), 0.2 + whole_steps_m);
   EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Holonomic), 10.0, 1.0, kStep_s), 1.2);
   EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::ConstantSpeed), 10.0, 0.0, kStep_s), 1.0 + 40.0);
 }

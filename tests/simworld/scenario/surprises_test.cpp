@@ -191,6 +191,9 @@ const Refused kRefused[] = {
      "--set moving_obstacles: moving_obstacles.1 does not move; allowed: with vx_mps and vy_mps, with waypoints, or "
      "with "
      "turn_s"},
+    {"KeyOfAnotherMotion",
+     {kSensor, {"moving_obstacles", "[{x_m: 1, y_m: 500, radius_m: 2, vx_mps: 4, vy_mps: 0, turn_s: 3}]"}},
+     "--set moving_obstacles: moving_obstacles.1.turn_s is 3; allowed: no such key of what flies a line"},
     {"NotSudden",
      {kSensor, {"sudden_obstacles", "[{x_m: 1, y_m: 500, radius_m: 2}]"}},
      "--set sudden_obstacles: sudden_obstacles.1 is not sudden; allowed: with at_s, near_m or ahead"},
