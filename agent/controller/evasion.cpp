@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory_resource>
 #include <vector>
 
 #include "agent/controller/manoeuvre.hpp"
+#include "agent/controller/scratch.hpp"
 
 namespace skein {
 namespace {
@@ -56,9 +58,11 @@ Vec3 seen(const Vec3& v, bool column) {
   return column ? Vec3(v.x(), v.y(), 0.0) : v;
 }
 
-std::vector<Mover> movers_of(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene) {
+using Movers = std::pmr::vector<Mover>;
+
+Movers movers_of(const ControllerOptions& options, const VehicleSpec& spec, const Scene& scene, Scratch& scratch) {
   const Scale scale(options, spec);
-  std::vector<Mover> movers;
+  Movers movers(scratch.memory());
   movers.reserve(scene.tracks.size());
   for (const Track& t : scene.tracks) {
     if (t.fixed) continue;
@@ -71,14 +75,14 @@ std::vector<Mover> movers_of(const ControllerOptions& options, const VehicleSpec
 }
 
 /// What is left of a velocity when it nears no mover too fast.
-Vec3 held_off(const ControllerOptions& options, const VehicleSpec& spec, const std::vector<Mover>& movers,
-              Vec3 wanted_mps) {
+Vec3 held_off(const ControllerOptions& options, const VehicleSpec& spec, const Movers& movers, Vec3 wanted_mps,
+              Scratch& scratch) {
   struct Bound {
     Vec3 towards;
     double most_mps;
   };
   const Scale scale(options, spec);
-  std::vector<Bound> bounds;
+  std::pmr::vector<Bound> bounds(scratch.memory());
   bounds.reserve(movers.size());
   for (const Mover& mover : movers) {
     const double distance_m = mover.apart_m.norm();
@@ -110,7 +114,7 @@ double lead_m(const VehicleSpec& spec, const Vec3& wish_mps) {
 
 /// The potential of what lies ahead with a velocity, held for `most_m`: 0 where nothing comes near. Once it is `enough`
 /// it is not looked at further.
-double threat(const VehicleSpec& spec, const Scale& scale, const Vec3& now_mps, const std::vector<Mover>& movers,
+double threat(const VehicleSpec& spec, const Scale& scale, const Vec3& now_mps, const Movers& movers,
               const Vec3& tried_mps, double most_m, double enough) {
   const Vec3 change_mps = tried_mps - now_mps;
   const double horizon_s = scale.horizon_s();
@@ -178,10 +182,11 @@ Vec3 evading(const ControllerOptions& options, const VehicleSpec& spec, const Sc
              bool level) {
   static const std::array<Vec3, 26> kFan = make_fan();
   const double wary_mps = wary_speed_mps(options, spec);
-  const std::vector<Mover> movers = movers_of(options, spec, scene);
+  Scratch scratch;
+  const Movers movers = movers_of(options, spec, scene, scratch);
   Vec3 best_mps = wary_mps < spec.speed_mps ? clipped(wanted_mps, wary_mps) : wanted_mps;
   if (movers.empty()) return best_mps;
-  best_mps = held_off(options, spec, movers, best_mps);
+  best_mps = held_off(options, spec, movers, best_mps, scratch);
   if (level) best_mps.z() = 0.0;
   const Scale scale(options, spec);
   const double weight_mps = kWeight * spec.speed_mps;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory_resource>
+#include <vector>
 
 #include "agent/controller/fan.hpp"
+#include "agent/controller/scratch.hpp"
 #include "agent/controller/separation.hpp"
 #include "planner/core/geometry/distance.hpp"
 
@@ -62,9 +65,10 @@ class SafetyFilter::Judge {
 
   const SafetyFilter& filter_;
   const Scene& scene_;
-  std::vector<Fixed> fixed_;
-  std::vector<Moving> moving_;
-  std::vector<Plane> planes_;
+  Scratch scratch_;
+  std::pmr::vector<Fixed> fixed_{scratch_.memory()};
+  std::pmr::vector<Moving> moving_{scratch_.memory()};
+  std::pmr::vector<Plane> planes_{scratch_.memory()};
 };
 
 SafetyFilter::Judge::Judge(const SafetyFilter& filter, const Scene& scene) : filter_(filter), scene_(scene) {
