@@ -1,4 +1,6 @@
-// What an agent does that came back after a loss, until the next planning: it answers, and holds its course.
+// What an agent does that came back after a loss and cannot take part any more: it answers, and holds its course. On a
+// straight transit, and in a rendezvous that plans anew under way, it takes part again instead
+// (make_rejoined_behaviour).
 //
 //   phase     mode      publishes  commands
 //   planning  Rejoined  nothing    nothing

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "agent/controller/braking.hpp"
+#include "planner/core/geometry/braking.hpp"
 #include "planner/core/geometry/distance.hpp"
 
 namespace skein {

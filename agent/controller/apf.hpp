@@ -9,7 +9,8 @@
 // everybody gives way to the right. e is the direction of c + 0.3 D_safe r, with r to the right of the motion relative
 // to the other, about the vertical axis; if that motion is vertical, r is east. What moves by itself besides is kept
 // at a distance, and evaded (evasion.hpp). A zone is a body at its nearest point, with no radius of its own; for zones
-// and bodies that never move x is not divided by 3.
+// and bodies that never move x is not divided by 3. Peers push in proportion to the speed of the wish: who is about to
+// arrive gives less way to those that mind it too, so that several can close in on one goal.
 // Where wish and motion are level, so is the answer: planar scenes stay planar.
 // Source: papers/002, Eq. 4 and 6. Departs from source: a sum instead of the weighted average; forces are velocities;
 // repulsion from the predicted closest approach instead of the present distance, and with a wider reach, so that what

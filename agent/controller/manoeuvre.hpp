@@ -9,16 +9,10 @@
 
 #include <Eigen/Geometry>
 
-#include "agent/controller/braking.hpp"
-#include "planner/core/geometry/types.hpp"
+#include "planner/core/geometry/braking.hpp"
+#include "planner/core/geometry/clipped.hpp"
 
 namespace skein {
-
-/// The same direction, at most so long.
-[[nodiscard]] inline Vec3 clipped(const Vec3& v, double most) {
-  const double size = v.norm();
-  return size > most ? Vec3(v * (most / size)) : v;
-}
 
 struct Manoeuvre {
   Vec3 start_m = Vec3::Zero();    ///< p

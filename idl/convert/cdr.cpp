@@ -39,11 +39,17 @@ std::optional<Wire> from_cdr(std::span<const std::uint8_t> bytes) {
   }
 }
 
-template Bytes to_cdr(const wire::Beacon&);
+template Bytes to_cdr(const wire::Mission&);
+template Bytes to_cdr(const wire::Tick&);
+template Bytes to_cdr(const wire::Sense&);
 template Bytes to_cdr(const wire::Representative&);
 template Bytes to_cdr(const wire::ObstacleMap&);
-template std::optional<wire::Beacon> from_cdr(std::span<const std::uint8_t>);
+template Bytes to_cdr(const wire::Beacon&);
+template std::optional<wire::Mission> from_cdr(std::span<const std::uint8_t>);
+template std::optional<wire::Tick> from_cdr(std::span<const std::uint8_t>);
+template std::optional<wire::Sense> from_cdr(std::span<const std::uint8_t>);
 template std::optional<wire::Representative> from_cdr(std::span<const std::uint8_t>);
 template std::optional<wire::ObstacleMap> from_cdr(std::span<const std::uint8_t>);
+template std::optional<wire::Beacon> from_cdr(std::span<const std::uint8_t>);
 
 }  // namespace skein

@@ -14,7 +14,7 @@ namespace skein {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Of a Beacon, a Representative or an ObstacleMap.
+/// Of any sample of the protocol (wire::Sample).
 template <typename Wire>
 [[nodiscard]] Bytes to_cdr(const Wire& sample);
 

@@ -2,7 +2,7 @@
 //
 // With v the vehicle's speed, dt the step and u the obstacle's speed, the way between the surfaces of the two bodies is
 // more than
-//   multirotor      v dt + v^2 / 2a + a dt^2 / 8 + u (dt + dt ceil(v / (a dt)))    one step's way, then full braking
+//   multirotor      S(v) + u T(v)                                     one step's way, then full braking (braking.hpp)
 //   holonomic       v dt + u 2 dt                                     it stops at once
 //   constant speed  v dt + 2 R + u (dt + pi R / v), R = 1 / kappa     it cannot stop: room for half a circle
 // at the moment of appearance, whatever the direction. A constant-speed vehicle has no guarantee: a body on its circle

@@ -28,7 +28,9 @@ void check_free(const TruthGrid& truth, std::string_view what, const VehicleSpec
                               what, vehicle.id, text_of(at_m)));
 }
 
+/// Nobody starts within the safety radii of another.
 void check_apart(const Mission& mission, const Places& places) {
+  const bool cells = mission.transit->planner.name != kStraight;
   for (std::size_t j = 0; j < mission.vehicles.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
       const VehicleSpec& a = mission.vehicles[i];
@@ -37,9 +39,10 @@ void check_apart(const Mission& mission, const Places& places) {
       const double least_m = a.safety_radius_m + b.safety_radius_m;
       if (apart_m >= least_m && apart_m > 0.0) continue;
       const Place& place = places.starts[i].set_key.empty() ? places.starts[j] : places.starts[i];
-      throw ReadFault(place, fmt::format("the centres of the cells in which vehicles {} and {} start are {} m apart; "
-                                         "allowed: different cells, at least {} m, their safety radii together",
-                                         a.id, b.id, apart_m, least_m));
+      throw ReadFault(
+          place, fmt::format("{} {} and {} start {}{} m apart; allowed: {}at least {} m, their safety radii together",
+                             cells ? "the centres of the cells in which vehicles" : "vehicles", a.id, b.id,
+                             cells ? "are " : "", apart_m, cells ? "different cells, " : "", least_m));
     }
   }
 }
@@ -64,23 +67,6 @@ void check_room(const Mission& mission, std::string_view what, const VehicleSpec
   }
 }
 
-/// Nobody starts within the safety radii of another.
-void check_starts(const Mission& mission, const Places& places) {
-  for (std::size_t j = 0; j < mission.vehicles.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      const VehicleSpec& a = mission.vehicles[i];
-      const VehicleSpec& b = mission.vehicles[j];
-      const double apart_m = (a.start.position_m - b.start.position_m).norm();
-      const double least_m = a.safety_radius_m + b.safety_radius_m;
-      if (apart_m >= least_m) continue;
-      throw ReadFault(places.starts[j],
-                      fmt::format("vehicles {} and {} start {} m apart; allowed: at least {} m, their "
-                                  "safety radii together",
-                                  a.id, b.id, apart_m, least_m));
-    }
-  }
-}
-
 void check_way(const Mission& mission, std::size_t i, const Places& places) {
   const VehicleSpec& vehicle = mission.vehicles[i];
   const double apart_m = (vehicle.start.position_m - mission.transit->goals_m[i]).norm();
@@ -92,7 +78,7 @@ void check_way(const Mission& mission, std::size_t i, const Places& places) {
 
 /// Without cells: in the area, apart, and clear of what is known.
 void check_straight(const Mission& mission, const Places& places) {
-  check_starts(mission, places);
+  check_apart(mission, places);
   for (std::size_t i = 0; i < mission.vehicles.size(); ++i) {
     const VehicleSpec& vehicle = mission.vehicles[i];
     check_room(mission, "start", vehicle, vehicle.start.position_m, places.starts[i]);

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/core/geometry/clipped.hpp"
+
 namespace skein {
 namespace {
-
-Vec3 clipped(const Vec3& v, double most) {
-  const double size = v.norm();
-  return size > most ? Vec3(v * (most / size)) : v;
-}
 
 /// Speed below which the curvature of a motion says nothing.
 constexpr double kStanding_mps = 1e-6;

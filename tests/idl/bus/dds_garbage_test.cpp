@@ -14,8 +14,8 @@
 #include <memory>
 
 #include "idl/bus/topics.hpp"
+#include "idl/convert/cdr.hpp"
 #include "tests/idl/bus/waiting.hpp"
-#include "tests/idl/convert/cdr.hpp"
 
 namespace skein::bus {
 namespace {
@@ -23,7 +23,6 @@ namespace {
 namespace fdds = eprosima::fastdds::dds;
 using eprosima::fastrtps::rtps::InstanceHandle_t;
 using eprosima::fastrtps::rtps::SerializedPayload_t;
-using skein::testing::Bytes;
 
 /// Writes bytes as they are.
 class RawType final : public fdds::TopicDataType {
@@ -124,7 +123,7 @@ TEST(Garbage, TicksThatAreNoneDoNotStopTheTrueOnes) {
   ASSERT_TRUE(testing::eventually({agent.wake_fd()}, [&] {
     return vandal.is_heard() && world.matched().size() == 1 && agent.matched().size() == 1;
   }));
-  for (const Bytes& bytes : vandalised(skein::testing::encode(testing::tick(1)))) vandal.write(bytes);
+  for (const Bytes& bytes : vandalised(to_cdr(testing::tick(1)))) vandal.write(bytes);
   vandal.flush();
   world.publish(testing::tick(123456));
   EXPECT_TRUE(testing::eventually({agent.wake_fd()}, [&] {
@@ -142,7 +141,7 @@ TEST(Garbage, BeaconsWithBadBooleansAndLengthsDoNotStopTheTrueOnes) {
   ASSERT_TRUE(testing::eventually({world.wake_fd()}, [&] {
     return vandal.is_heard() && world.matched().size() == 1 && agent.matched().size() == 1;
   }));
-  for (const Bytes& bytes : vandalised(skein::testing::encode(testing::beacon(1, 1)))) vandal.write(bytes);
+  for (const Bytes& bytes : vandalised(to_cdr(testing::beacon(1, 1)))) vandal.write(bytes);
   vandal.flush();
   agent.publish(testing::beacon(1, 123456));
   EXPECT_TRUE(testing::eventually({world.wake_fd()}, [&] {

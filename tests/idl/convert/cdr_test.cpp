@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "idl/convert/convert.hpp"
-#include "tests/idl/convert/cdr.hpp"
 #include "tests/idl/convert/examples.hpp"
 
 namespace skein {
@@ -13,7 +12,6 @@ namespace {
 template <typename Wire>
 void expect_there_and_back(const Wire& sample) {
   const Bytes bytes = to_cdr(sample);
-  EXPECT_EQ(bytes, testing::encode(sample));
   const std::optional<Wire> back = from_cdr<Wire>(bytes);
   ASSERT_TRUE(back.has_value());
   EXPECT_TRUE(*back == sample);

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "tests/idl/convert/cdr.hpp"
+#include "idl/convert/cdr.hpp"
 #include "tests/idl/convert/examples.hpp"
 
 namespace skein {
@@ -17,15 +17,15 @@ int runs() {
   return set == nullptr ? 20000 : std::max(1, std::atoi(set));
 }
 
-testing::Bytes random_bytes(std::mt19937_64& random) {
-  testing::Bytes bytes(random() % 400);
+Bytes random_bytes(std::mt19937_64& random) {
+  Bytes bytes(random() % 400);
   for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
   if (bytes.size() >= 4) bytes[0] = 0, bytes[1] = static_cast<std::uint8_t>(random() % 2);
   return bytes;
 }
 
 /// A valid sample with some bytes changed, and sometimes its end cut off.
-testing::Bytes mutilated(testing::Bytes bytes, std::mt19937_64& random) {
+Bytes mutilated(Bytes bytes, std::mt19937_64& random) {
   const auto changes = 1 + random() % 4;
   for (std::uint64_t i = 0; i < changes; ++i) {
     const std::size_t place = 4 + random() % (bytes.size() - 4);
@@ -42,8 +42,8 @@ struct Outcome {
 };
 
 template <typename Wire>
-void try_bytes(const testing::Bytes& bytes, Outcome& outcome) {
-  const auto sample = testing::decode<Wire>(bytes);
+void try_bytes(const Bytes& bytes, Outcome& outcome) {
+  const auto sample = from_cdr<Wire>(bytes);
   if (!sample) {
     ++outcome.undecodable;
     return;
@@ -63,7 +63,7 @@ void try_bytes(const testing::Bytes& bytes, Outcome& outcome) {
 
 template <typename Plain>
 void fuzz(const Plain& example) {
-  const auto valid = testing::encode(to_wire(example, examples::kStamp));
+  const auto valid = to_cdr(to_wire(example, examples::kStamp));
   using Wire = decltype(to_wire(example, examples::kStamp));
   std::mt19937_64 random(20240601);
   const int count = runs();

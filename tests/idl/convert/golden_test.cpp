@@ -4,13 +4,13 @@
 #include <fstream>
 #include <string>
 
-#include "tests/idl/convert/cdr.hpp"
+#include "idl/convert/cdr.hpp"
 #include "tests/idl/convert/examples.hpp"
 
 namespace skein {
 namespace {
 
-std::string hex(const testing::Bytes& bytes) {
+std::string hex(const Bytes& bytes) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -29,7 +29,7 @@ std::string golden(const std::string& name) {
 
 template <typename Plain>
 std::string bytes_of(const Plain& value) {
-  return hex(testing::encode(to_wire(value, examples::kStamp)));
+  return hex(to_cdr(to_wire(value, examples::kStamp)));
 }
 
 TEST(Golden, Mission) {
@@ -66,7 +66,7 @@ TEST(Golden, SenseByHand) {
                                "cb04fb711f010000"
                                "00000000"
                                "02000000"));
-  EXPECT_EQ(testing::encode(to_wire(examples::sense(), examples::kStamp)).size(),
+  EXPECT_EQ(to_cdr(to_wire(examples::sense(), examples::kStamp)).size(),
             4u + 24 + 8 + 8 * 8 + (4 + 4 + 6 * 8 + 1) + 3 + 7 * 4 + 2 +
                 // two tracks; the zones; obeyed
                 2 + 4 + (4 + 4 + 7 * 8 + 2) + (2 + 4 + 7 * 8 + 2) + (2 + 4 + 2) + 1);

@@ -25,11 +25,12 @@ VehicleSpec spec_of(VehicleType type) {
 }
 
 TEST(Appearance, NeedsTheWayThatAVehicleNeedsToAvoidIt) {
-  const double whole_steps_m = 4.0 * kStep_s * kStep_s / 8.0;
-  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 0.0, kStep_s), 13.5 + whole_steps_m);
-  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 2.0, kStep_s),
-                   13.5 + whole_steps_m + 2.0 * 2.6);
-  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 0.0, 2.0, kStep_s), 0.2 + whole_steps_m);
+  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 0.0, kStep_s), 1.0 + 12.5);
+  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.0, 2.0, kStep_s), 13.5 + 2.0 * 2.6);
+  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 0.0, 2.0, kStep_s), 0.2);
+  // not a whole number of steps: 10.2 m/s is 25 steps of 0.4 m/s, and half of one
+  const double last_m = (10.2 * 10.2 - 0.2 * 0.2) / 8.0 + 0.5 * 0.2 * kStep_s;
+  EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Multirotor), 10.2, 0.0, kStep_s), 1.02 + last_m);
   EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::Holonomic), 10.0, 1.0, kStep_s), 1.2);
   EXPECT_DOUBLE_EQ(least_appearance_m(spec_of(VehicleType::ConstantSpeed), 10.0, 0.0, kStep_s), 1.0 + 40.0);
 }

@@ -149,7 +149,7 @@ TEST(Movers, WaitWhileSomebodyIsWhereTheyWouldBe) {
   movers.open(1, kNobody);
   movers.open(2, std::array{hovering({1.4, 0, 0})});
   EXPECT_FALSE(movers.all()[0].present) << "on top of it";
-  movers.open(3, std::array{hovering({1.7, 0, 0})});
+  movers.open(3, std::array{hovering({1.6, 0, 0})});
   EXPECT_TRUE(movers.all()[0].present);
   EXPECT_EQ(movers.all()[0].appeared_step, 3U);
 }

@@ -1,4 +1,4 @@
-#include "agent/controller/braking.hpp"
+#include "planner/core/geometry/braking.hpp"
 
 #include <gtest/gtest.h>
 
