@@ -1,28 +1,39 @@
 #!/usr/bin/env bash
-# Sets up as quickstart.sh does, builds everything with its tests, and runs them. The last lines are ctest's own.
+# Sets up as quickstart.sh does, builds everything with its tests, and runs them: those of one machine first, then those
+# in containers, and meanwhile what is quiet beside them: sanitizers, fuzzing, clang-tidy on what changed. The last lines
+# say what held.
 #
-# usage: deploy/check.sh [--containers]   the tests in containers too: they need an engine, and up to half an hour more
+# usage: deploy/check.sh [--no-containers]     for machines without root or without an engine for containers
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-purpose=check
-left_out='^(bench|container)$'
-if [[ ${1:-} == --containers ]]; then
-  purpose=container
-  left_out='^bench$'
+purpose=container
+if [[ ${1:-} == --no-containers ]]; then
+  purpose=check
 elif [[ $# -gt 0 ]]; then
-  echo "check: unknown argument '$1'; allowed: --containers" >&2
+  echo "check: unknown argument '$1'; allowed: --no-containers" >&2
   exit 2
 fi
 
-echo 'check: 1/3 packages'
+echo 'check: 1/4 packages'
 deploy/setup.sh "$purpose"
 
-echo 'check: 2/3 build'
+echo 'check: 2/4 build'
 quiet=()
 [[ -t 1 ]] || quiet=(--quiet)
 cmake --preset release --log-level=WARNING -DSKEIN_TESTS=ON >/dev/null
 cmake --build build/release -- "${quiet[@]}"
+run_tests() { ctest --test-dir build/release --no-tests=error --output-on-failure "$@"; }
 
-echo 'check: 3/3 tests'
-exec ctest --test-dir build/release --label-exclude "$left_out" --no-tests=error --output-on-failure --timeout 600 -j2
+echo 'check: 3/4 tests'
+run_tests --label-exclude '^(bench|container)$' --timeout 600 -j2
+
+echo 'check: 4/4 containers, sanitizers, fuzzing, clang-tidy'
+{ deploy/tidy.sh && deploy/sanitize.sh; } >build/static.log 2>&1 &
+beside=$!
+held=0
+[[ $purpose != container ]] || run_tests -V -L '^container$' || held=$?
+wait "$beside" || { held=$?; tail -n 100 build/static.log >&2; }
+grep -E '^(tidy|sanitize): ' build/static.log
+((held == 0)) && echo 'check: all of it held' || echo 'check: something did not hold; see above'
+exit "$held"

@@ -12,7 +12,8 @@ build_packages=(
   libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libyaml-cpp-dev
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
-check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3)
+check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 ccache
+  clang-14 clang-tidy-14 libclang-rt-14-dev) # sanitizers and libFuzzer
 container_packages=(python3 iptables iproute2 util-linux libfaketime) # faults are injected from outside
 if [[ ${SKEIN_ENGINE:-podman} == podman ]]; then
   container_packages+=(podman runc containernetworking-plugins golang-github-containernetworking-plugin-dnsname

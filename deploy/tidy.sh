@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Runs clang-tidy 14 over our sources, by hand: it takes about as long as a build, so no test waits for it.
+# Runs clang-tidy 14 over our sources.
 #
-# usage: deploy/tidy.sh [--all | FILE...]    without arguments: the .cpp files that differ from HEAD~1
+# usage: deploy/tidy.sh [--full | FILE...]    without arguments: what changed since the commit in deploy/tidy.base
+# After a --full without a finding, write `git rev-parse HEAD` into deploy/tidy.base.
 # Needs the package clang-tidy-14 and a configured build/release (deploy/check.sh leaves one).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,13 +12,24 @@ tool=$(command -v clang-tidy-14 || true)
 build=${SKEIN_BUILD:-build/release}
 [[ -e $build/compile_commands.json ]] || { echo "tidy: $build is not configured; run deploy/check.sh" >&2; exit 1; }
 
-if [[ ${1:-} == --all ]]; then
+# The .cpp files that differ from the base, and those beside a header that does.
+changed() {
+  local base file
+  base=$(<deploy/tidy.base)
+  git cat-file -e "$base^{commit}" 2>/dev/null || base=HEAD~1 # a clone without the whole history
+  { git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp'; git ls-files -o --exclude-standard '*.cpp' '*.hpp'; } |
+    while read -r file; do [[ ! -e ${file%.*}.cpp ]] || echo "${file%.*}.cpp"; done | sort -u
+}
+
+if [[ ${1:-} == --full ]]; then
   mapfile -t files < <(git ls-files '*.cpp')
 elif (($#)); then
   files=("$@")
 else
-  mapfile -t files < <({ git diff --name-only --diff-filter=d HEAD~1 -- '*.cpp'; git ls-files -o --exclude-standard '*.cpp'; } | sort -u)
+  listed=$(changed)
+  mapfile -t files < <(printf '%s' "$listed")
 fi
 ((${#files[@]})) || { echo 'tidy: no file to look at'; exit 0; }
 echo "tidy: ${#files[@]} files"
 printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" "$tool" --quiet -p "$build"
+echo 'tidy: no finding'

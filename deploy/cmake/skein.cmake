@@ -8,7 +8,9 @@ set(SKEIN_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them; empty 
 
 find_program(SKEIN_CCACHE ccache)
 if(SKEIN_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${SKEIN_CCACHE})
+  # one cache for every clone and for the image of deploy/Containerfile
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_COMPILERCHECK=content ${SKEIN_CCACHE})
 endif()
 
 # Every object of ours, generated code included: the same arithmetic on every machine (docs/architecture.md).
@@ -22,7 +24,8 @@ if(SKEIN_SANITIZE)
 endif()
 
 add_library(skein_warnings INTERFACE)
-target_compile_options(skein_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+target_compile_options(skein_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>) # the kernels decide without branches
 
 # skein_library(NAME SOURCES a.cpp ... [PUBLIC lib ...] [PRIVATE lib ...])
 function(skein_library name)

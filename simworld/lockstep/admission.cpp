@@ -118,7 +118,9 @@ std::vector<RosterEntry> Admission::returning(std::span<const std::uint64_t> wor
   std::vector<RosterEntry> back;
   if (!closed_) return back;
   for (const auto& [id, holder] : holders_) {
-    const auto sees = [&](std::uint64_t nonce) { return std::ranges::binary_search(holder.matched, nonce); };
+    const auto sees = [&matched = holder.matched](std::uint64_t nonce) {
+      return std::ranges::binary_search(matched, nonce);
+    };
     if (holder.live || !holder.has_mission || now_s - holder.heard_s > kFresh_s) continue;
     if (!std::ranges::binary_search(world_matched, holder.nonce) || !sees(world_nonce_)) continue;
     if (!std::ranges::all_of(live, sees)) continue;

@@ -110,8 +110,8 @@ Verdict Run::verdict() const {
     if (failure.empty() && !there) verdict.completed_without.push_back(change.agent);
   }
   std::ranges::sort(verdict.completed_without);
-  const auto twice = std::ranges::unique(verdict.completed_without);
-  verdict.completed_without.erase(twice.begin(), twice.end());
+  const auto twice = std::unique(verdict.completed_without.begin(), verdict.completed_without.end());
+  verdict.completed_without.erase(twice, verdict.completed_without.end());
   const Contact* hit = first_unsafe(world_);
   if (hit != nullptr) {
     verdict.code = ExitCode::Failed;

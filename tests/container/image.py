@@ -59,12 +59,22 @@ def ensure_base(engine):
     engine.run("tag", marked, BASE)
 
 
+def _compiler_cache(engine):
+    """Options of a build that let it use the compiler's cache of this machine, if there is one. Docker has none."""
+    if engine.name != "podman" or shutil.which("ccache") is None:
+        return ()
+    folder = Path(subprocess.run(["ccache", "--get-config", "cache_dir"], check=True, capture_output=True, text=True,
+                                 stdin=subprocess.DEVNULL).stdout.strip())
+    folder.mkdir(parents=True, exist_ok=True)
+    return ("--volume", f"{folder}:/ccache")
+
+
 def _build(engine, target, name):
     ensure_base(engine)
     say(f"{name} is built from deploy/Containerfile")
     jobs = os.environ.get("SKEIN_JOBS", str(os.cpu_count() or 2))
     engine.run("build", "-f", ROOT / "deploy" / "Containerfile", "--target", target, "--build-arg", f"JOBS={jobs}",
-               "-t", name, ROOT, limit_s=3000, merged=True)
+               *_compiler_cache(engine), "-t", name, ROOT, limit_s=3000, merged=True)
     return name
 
 

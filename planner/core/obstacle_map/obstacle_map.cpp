@@ -170,8 +170,7 @@ void ObstacleMap::merge(const ObstacleMapSample& sample) {
 
 std::vector<CellChange> ObstacleMap::take_changes() {
   std::ranges::sort(dirty_);
-  const auto repeated = std::ranges::unique(dirty_);
-  dirty_.erase(repeated.begin(), repeated.end());
+  dirty_.erase(std::unique(dirty_.begin(), dirty_.end()), dirty_.end());
   std::vector<CellChange> changes;
   for (const std::uint32_t tile : dirty_) {
     const TileCells& now = merged_[tile].cells;
