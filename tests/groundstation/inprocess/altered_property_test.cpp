@@ -90,6 +90,26 @@ TEST(AlteredRepresentative, TheLastOneAlteredForOneReceiverIsAPlanThatItsPeersDi
   }
 }
 
+TEST(AlteredRepresentative, OfANewPlanUnderWayIsFoundToo) {
+  const Scenario scenario = paper_scenario(1, "rendezvous-surprise");
+  std::uint32_t last = 0;  // round in which agent 1 published the representative that the new plan is made of
+  const InProcessResult honest = run_with(scenario, [&](bus::Transit transit) {
+    const auto* sample = std::get_if<wire::Representative>(&transit.sample);
+    if (sample != nullptr && sample->agent() == 1 && sample->reopening().empty()) last = sample->round();
+    return std::vector{transit};
+  });
+  ASSERT_EQ(honest.report.at("replans").back().at("outcome"), "switched");
+  ASSERT_GT(last, honest.report.at("rounds").get<std::uint32_t>()) << "in flight";
+  ASSERT_EQ(honest.report.at("unaccepted_plans"), 0);
+  std::uint64_t altered = 0;
+  const Edit hardly = [](wire::Representative& sample) { sample.particle()[0] *= 1.0 + 1e-12; };
+  const InProcessResult lied = run_with(scenario, altering(1, 2, last, hardly, altered));
+  ASSERT_EQ(altered, 1U);
+  EXPECT_GT(lied.report.at("unaccepted_plans"), 0);
+  EXPECT_EQ(lied.report.at("first_unaccepted_plan").at("agent"), 2);
+  EXPECT_EQ(lied.report.at("first_unaccepted_plan").at("step"), honest.report.at("replans").back().at("switch_step"));
+}
+
 TEST(AlteredRepresentative, AnyLegalParticleAtAnyTimeEndsInAVerdict) {
   RandomStream random(41, 1, Purpose::Test, 0);
   int runs_changed = 0;
