@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kDeadlineKey = "lockstep.deadline_s";
 constexpr const char* kExtraKey = "world.extra_steps";
 constexpr std::uint32_t kMostExtra = 20'000;  ///< steps: a radio that needs more is not waited for
-constexpr const char* kDeadline = "2";  ///< a campaign would wait for most of its time else
+constexpr const char* kDeadline = "2";        ///< a campaign would wait for most of its time else
 
 struct ChaosArguments {
   WorldArguments world;

@@ -1,5 +1,7 @@
 // Agents that die and return in a transit, and carriers and radios that lose samples: the run is what its roster says,
 // and those who are left arrive unhurt.
+#include <cstdlib>
+
 #include "simworld/report/report.hpp"
 #include "tests/groundstation/crossings.hpp"
 #include "tests/groundstation/fault_scripts.hpp"
@@ -93,11 +95,14 @@ Scenario settling(const std::string& name, std::uint64_t seed, std::vector<Overr
 }
 
 TEST_P(LossOfAgents, MapsAreEqualAfterTheLastHealing) {
-  for (const char* name : {"transit-partition", "transit-power-station"}) {
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  const char* seeds = std::getenv("SKEIN_SEEDS");
+  const std::uint64_t runs = seeds == nullptr ? 8 : std::strtoull(seeds, nullptr, 10);
+  constexpr std::pair<const char*, unsigned> kFlights[] = {{"transit-partition", 25}, {"transit-power-station", 60}};
+  for (const auto& [name, steps] : kFlights) {
+    for (std::uint64_t seed = 0; seed < runs; ++seed) {
       const Scenario scenario =
           settling(name, seed, {{"vehicles.on_agent_loss", GetParam()}, {"radio.loss", seed % 2 == 0 ? "0" : "0.1"}});
-      const InProcessResult faulty = run_faulty(scenario, test::random_script(seed, 6, 1, 60));
+      const InProcessResult faulty = run_faulty(scenario, test::random_script(seed, 6, 1, steps));
       const std::string what = std::string(name) + " " + std::to_string(seed) + ": ";
       ASSERT_EQ(faulty.report.at("maps_differ"), 0) << what << faulty.report.at("reason");
       ASSERT_GE(faulty.report.at("maps_due"), 2) << what << faulty.report.at("reason");
