@@ -17,34 +17,34 @@
 namespace skein::wire {
 
 /// The version that type names carry; processes of different versions never match.
-inline constexpr std::uint32_t kWireVersion = 5;
+inline constexpr std::uint32_t kWireVersion = 6;
 
-using v5::Announced;
-using v5::Area;
-using v5::Beacon;
-using v5::CellBlock;
-using v5::Crossing;
-using v5::DirectedPoint;
-using v5::GivenId;
-using v5::Ground;
-using v5::Header;
-using v5::HeardPeer;
-using v5::Lack;
-using v5::LiveAgent;
-using v5::LogMark;
-using v5::MapPatch;
-using v5::Mission;
-using v5::NextMove;
-using v5::ObstacleMap;
-using v5::Point3;
-using v5::RendezvousPlanner;
-using v5::Reopening;
-using v5::Representative;
-using v5::Sense;
-using v5::Sighting;
-using v5::Tick;
-using v5::TurnedAway;
-using v5::Vehicle;
+using v6::Announced;
+using v6::Area;
+using v6::Beacon;
+using v6::CellBlock;
+using v6::Crossing;
+using v6::DirectedPoint;
+using v6::GivenId;
+using v6::Ground;
+using v6::Header;
+using v6::HeardPeer;
+using v6::Lack;
+using v6::LiveAgent;
+using v6::LogMark;
+using v6::MapPatch;
+using v6::Mission;
+using v6::NextMove;
+using v6::ObstacleMap;
+using v6::Point3;
+using v6::RendezvousPlanner;
+using v6::Reopening;
+using v6::Representative;
+using v6::Sense;
+using v6::Sighting;
+using v6::Tick;
+using v6::TurnedAway;
+using v6::Vehicle;
 
 /// Any sample of the protocol.
 using Sample = std::variant<Mission, Tick, Sense, Representative, ObstacleMap, Beacon>;

@@ -29,6 +29,9 @@ std::unique_ptr<Behaviour> make_rejoined_behaviour(const Mission& mission, Agent
   if (mission.transit && mission.transit->planner.name == kStraight) {
     return std::make_unique<StraightBehaviour>(mission, self);  // needs nothing of its former life
   }
+  if (mission.transit && mission.transit->planner.share_maps != 0.0) {
+    return std::make_unique<TransitBehaviour>(mission, self, true);
+  }
   return std::make_unique<RejoinedBehaviour>();
 }
 

@@ -26,7 +26,8 @@ struct RoundOutput {
   double planned_length_m = 0.0;
   double cost = 0.0;
   std::uint32_t generation = 0;
-  std::uint64_t map_hash = 0;  ///< of its obstacle map; 0 without one
+  std::uint64_t map_hash = 0;   ///< of its obstacle map; 0 without one
+  std::uint64_t plan_view = 0;  ///< of the plan that it flies; 0: of none that the swarm agreed on
   SafetyMode safety_mode = SafetyMode::Autonomous;
   SafetyReason safety_reason = SafetyReason::None;
   double deviation_m = 0.0;                       ///< as in Beacon
@@ -50,8 +51,8 @@ class Behaviour {
 /// The behaviour of the mission's kind for one agent. @throws std::invalid_argument if the mission has no such vehicle.
 [[nodiscard]] std::unique_ptr<Behaviour> make_behaviour(const Mission& mission, AgentId self);
 
-/// That of an agent that came back after a loss: one that holds its course, or where the swarm plans anew under way,
-/// one that calls for that.
+/// That of an agent that came back after a loss: one that holds its course and shares its map, or where the swarm
+/// plans anew under way, one that calls for that.
 [[nodiscard]] std::unique_ptr<Behaviour> make_rejoined_behaviour(const Mission& mission, AgentId self);
 
 }  // namespace skein

@@ -1,6 +1,6 @@
 // What an agent does that came back after a loss and cannot take part any more: it answers, and holds its course. On a
-// straight transit, and in a rendezvous that plans anew under way, it takes part again instead
-// (make_rejoined_behaviour).
+// straight transit, and in a rendezvous that plans anew under way, it takes part again instead, and on a transit that
+// shares maps it shares its own again (make_rejoined_behaviour).
 //
 //   phase     mode      publishes  commands
 //   planning  Rejoined  nothing    nothing

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
+#include "planner/core/lockstep/plan_view.hpp"
 #include "planner/rendezvous/replan.hpp"
 
 namespace skein {
@@ -35,17 +37,17 @@ bool RendezvousBehaviour::can_use(const Representative& peer) const {
 }
 
 RoundOutput RendezvousBehaviour::on_round(const RoundInput& input) {
-  last_.representative.reset();
+  const std::optional<Representative> said = std::exchange(last_.representative, std::nullopt);
   const bool on_the_ground = input.tick.phase == Phase::Planning && input.tick.step == 0;
   if (on_the_ground && !rejoined_) {
-    plan(input);
+    plan(input, said);
   } else if (!on_the_ground && input.tick.phase != Phase::Finished) {
     fly(input);
   }
   return last_;
 }
 
-void RendezvousBehaviour::plan(const RoundInput& input) {
+void RendezvousBehaviour::plan(const RoundInput& input, const std::optional<Representative>& said) {
   std::vector<Representative> usable;
   std::ranges::copy_if(input.peers, std::back_inserter(usable),
                        [this](const Representative& peer) { return planner_.can_use(peer); });
@@ -55,6 +57,7 @@ void RendezvousBehaviour::plan(const RoundInput& input) {
       last_.mode = AgentMode::Planning;
       break;
     case rendezvous::PlanStatus::Ready:
+      if (last_.mode != AgentMode::Ready) last_.plan_view = plan_view_of(usable, said);
       last_.mode = AgentMode::Ready;
       break;
     case rendezvous::PlanStatus::Failed:
@@ -74,7 +77,7 @@ void RendezvousBehaviour::fly(const RoundInput& input) {
     throw std::invalid_argument("a flight step needs the agent's own sense sample");
   }
   if (!under_way_) return follow(*input.sense);
-  if (!took_off_ && !rejoined_) under_way_->take_off(planner_);
+  if (!took_off_ && !rejoined_) under_way_->take_off(planner_, last_.plan_view);
   took_off_ = true;
   under_way_->on_round(input, last_);
 }

@@ -33,7 +33,8 @@ class RendezvousBehaviour final : public Behaviour {
   void add_to(StateHash& hash) const override;
 
  private:
-  void plan(const RoundInput& input);
+  /// @param said what it published in the round before
+  void plan(const RoundInput& input, const std::optional<Representative>& said);
   void fly(const RoundInput& input);
   void follow(const Sense& sense);
 

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "planner/core/lockstep/plan_view.hpp"
+
 namespace skein {
 namespace {
 
@@ -61,7 +63,7 @@ bool Replanning::someone_came(const Tick& tick) const {
 }
 
 ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> peers, bool takes_part) {
-  sample_.reset();
+  const std::optional<Representative> said = std::exchange(sample_, std::nullopt);
   if (!takes_part) {
     state_ = State::Idle;
     plan_.reset();
@@ -80,7 +82,7 @@ ReplanEvent Replanning::hear(const Tick& tick, std::span<const Representative> p
     const ReplanEvent event = aim_in_turn(tick, peers);
     if (event == ReplanEvent::Aim) return event;
   } else if (before == State::Planning) {
-    plan(tick, peers);
+    plan(tick, peers, said);
   }
   const bool due = tick.phase == Phase::Flying && tick.step >= switch_step_;
   if (due && state_ == State::Ready && !someone_came(tick)) {
@@ -173,7 +175,7 @@ void Replanning::open(const Tick& tick) {
   const Mission mission = rendezvous::revised(mission_, all, attempt_);
   try {
     plan_.emplace(
-        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(all)});
+        NewPlan{rendezvous::Planner(mission, self_), mission.vehicles.front().speed_mps, rendezvous::united(all), 0});
   } catch (const std::invalid_argument&) {  // of all alike: one promised a pose that nobody can plan from
     return fail(tick);
   }
@@ -181,7 +183,8 @@ void Replanning::open(const Tick& tick) {
   sample_ = plan_->planner.advance({}).representative;
 }
 
-void Replanning::plan(const Tick& tick, std::span<const Representative> peers) {
+void Replanning::plan(const Tick& tick, std::span<const Representative> peers,
+                      const std::optional<Representative>& said) {
   std::vector<Representative> usable;
   for (const Representative& peer : peers) {
     if (!peer.revision && plan_->planner.can_use(peer)) usable.push_back(peer);
@@ -190,6 +193,7 @@ void Replanning::plan(const Tick& tick, std::span<const Representative> peers) {
   if (round.status == rendezvous::PlanStatus::Failed) return fail(tick);
   if (round.status == rendezvous::PlanStatus::Ready) {
     state_ = State::Ready;
+    plan_->view = plan_view_of(usable, said);
   } else {
     sample_ = round.representative;
   }

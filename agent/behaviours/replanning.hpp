@@ -48,6 +48,7 @@ struct NewPlan {
   rendezvous::Planner planner;  ///< Ready
   double speed_mps = 0.0;       ///< of all
   std::vector<Track> avoided;   ///< the obstacles that it keeps clear of, by ascending id
+  std::uint64_t view = 0;       ///< its digest (plan_view.hpp), once it is Ready
 };
 
 class Replanning {
@@ -111,7 +112,7 @@ class Replanning {
   [[nodiscard]] std::vector<rendezvous::Joiner> joiners(std::span<const Representative> peers) const;
   [[nodiscard]] ReplanEvent aim_in_turn(const Tick& tick, std::span<const Representative> peers);
   void open(const Tick& tick);
-  void plan(const Tick& tick, std::span<const Representative> peers);
+  void plan(const Tick& tick, std::span<const Representative> peers, const std::optional<Representative>& said);
   void fail(const Tick& tick);
   void publish_revision();
   [[nodiscard]] bool someone_came(const Tick& tick) const;

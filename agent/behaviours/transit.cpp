@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace skein {
 namespace {
 
 /// Within so many ways of a decision intents are told: each may come one nearer, and plans look two ahead.
 constexpr double kCrowdedReaches = 2.1;
+
+/// Over all versions of the lives before this round: one takes less than that many a round (a sample of each peer, a
+/// look, marks, and logs of those who came back).
+constexpr std::uint32_t kVersions = 1024;
 
 const TransitMission& transit_of(const Mission& mission) {
   if (!mission.transit) throw std::invalid_argument("the mission is no transit");
@@ -40,9 +45,10 @@ const HeardPeer* find_heard(const Sense& sense, AgentId id) {
 
 }  // namespace
 
-TransitBehaviour::TransitBehaviour(const Mission& mission, AgentId self)
+TransitBehaviour::TransitBehaviour(const Mission& mission, AgentId self, bool rejoined)
     : mission_(mission),
       self_(self),
+      rejoined_(rejoined),
       steps_per_decision_(steps_per_decision(mission)),
       navigator_(mission, self),
       map_(grid_of(transit_of(mission)), self, ids_of(mission)),
@@ -53,19 +59,42 @@ TransitBehaviour::TransitBehaviour(const Mission& mission, AgentId self)
 
 RoundOutput TransitBehaviour::on_round(const RoundInput& input) {
   last_.obstacle_map.reset();
+  note_lives(input.tick);
   if (input.tick.phase == Phase::Planning) {
-    last_.mode = AgentMode::Ready;
+    last_.mode = rejoined_ ? AgentMode::Rejoined : AgentMode::Ready;
   } else if (input.tick.phase == Phase::Flying) {
     if (input.sense == nullptr) throw std::invalid_argument("a flight step needs the agent's own sense sample");
     const Sense& sense = *input.sense;
     listen(input);
     look(sense.sight);
     const std::uint32_t into_decision = (input.tick.step - 1) % steps_per_decision_;
+    if (rejoined_) {
+      if (into_decision == 0) share(input.tick, sense);
+      last_.mode = AgentMode::Rejoined;
+      last_.commanded_velocity_mps = sense.velocity_mps;
+      return last_;
+    }
     if (into_decision == 0) decide(input.tick, sense);
     const double left_s = static_cast<double>(steps_per_decision_ - into_decision) * mission_.step_s;
     last_.commanded_velocity_mps = (decision_.target_m - sense.pose.position_m) / left_s;
   }
   return last_;
+}
+
+/// Who came back writes a new log, all in the same round; one of its own life knows of no former one.
+void TransitBehaviour::note_lives(const Tick& tick) {
+  const bool first = lives_.empty();
+  for (const RosterEntry& entry : tick.roster) {
+    std::uint32_t& life = lives_.try_emplace(entry.agent, 1U).first->second;
+    if (entry.incarnation == std::exchange(life, entry.incarnation)) continue;
+    if (entry.agent == self_) {
+      map_ = ObstacleMap(grid_of(*mission_.transit), self_, ids_of(mission_), kVersions * tick.round);
+      const std::uint32_t decision = tick.step == 0 ? 1 : (tick.step - 1) / steps_per_decision_ + 1;
+      silent_until_ = decision + budget_.decisions_per_frame();
+    } else if (!first) {
+      map_.begin_life(entry.agent, kVersions * tick.round);
+    }
+  }
 }
 
 /// Takes in what the radio carries of the round before, from the last flight step.
@@ -92,11 +121,25 @@ void TransitBehaviour::look(const CellWindow& sight) {
   if (!seen.empty()) map_.observe(seen);
 }
 
-void TransitBehaviour::decide(const Tick& tick, const Sense& sense) {
-  const std::uint32_t decision = (tick.step - 1) / steps_per_decision_ + 1;
+void TransitBehaviour::hear(const Tick& tick) {
   for (const ObstacleMapSample& sample : receiver_.hear(tick.round)) {
     if (mission_.transit->planner.share_maps != 0.0) map_.merge(sample);
   }
+}
+
+/// Of one that came back: what it hears and sees, without a decision to fly.
+void TransitBehaviour::share(const Tick& tick, const Sense& sense) {
+  hear(tick);
+  const std::uint32_t decision = (tick.step - 1) / steps_per_decision_ + 1;
+  last_.map_hash = map_.map_hash();
+  decision_.next.on_behalf_of = self_;
+  decision_.next.to_m = sense.pose.position_m;
+  if (decision >= silent_until_) last_.obstacle_map = compose(tick, sense, decision);
+}
+
+void TransitBehaviour::decide(const Tick& tick, const Sense& sense) {
+  const std::uint32_t decision = (tick.step - 1) / steps_per_decision_ + 1;
+  hear(tick);
   const std::vector<CellChange> changed = map_.take_changes();
   const std::vector<gridnav::Neighbour> around = neighbours(sense, decision);
   decision_ = navigator_.decide({decision, sense.pose.position_m, changed, around});
@@ -127,7 +170,7 @@ std::vector<gridnav::Neighbour> TransitBehaviour::neighbours(const Sense& sense,
 
 /// Whether a UAV is so near that its right of way may hang on the intent; one unheard is kept clear of in any case.
 bool TransitBehaviour::is_crowded(const Sense& sense) const {
-  if (decision_.status == NavStatus::Arrived) return false;
+  if (rejoined_ || decision_.status == NavStatus::Arrived) return false;
   const double reach_m = vehicle_of(mission_, self_).speed_mps * mission_.transit->planner.decision_s;
   return std::ranges::any_of(sense.heard, [&](const HeardPeer& peer) {
     return !peer.landed && (peer.position_m - sense.pose.position_m).norm() <= kCrowdedReaches * reach_m;

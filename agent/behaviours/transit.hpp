@@ -3,12 +3,16 @@
 //   phase     mode of the round                       publishes                        commands
 //   planning  Ready: there is nothing to plan before  nothing                          nothing
 //   flying    Flying, Arrived, Unreachable, Deadlock  at each decision: obstacle map   straight to the decision's
-//   target finished  as before                               nothing                          nothing
+//   target flying    Rejoined: came back after a loss        the same, without an intent      nothing that counts
+//   finished  as before                               nothing                          nothing
 // A decision is taken every decision_s, in the flight steps 1, 1 + D, 1 + 2 D ...; a sample composed in one is heard,
 // if the radio carries it (planner/core/radio), in the next. The intent in it stands for the next decision. In between
-// the UAV flies on at constant velocity, and its map takes in what its sensor sees. Source: papers/004, sections III
-// and IV. Departs from source: intents; maps by anti-entropy instead of whole.
+// the UAV flies on at constant velocity, and its map takes in what its sensor sees. Who came back flies nothing any
+// more, but has the swarm's map again as soon as the radio brings it, and passes it on. Source: papers/004, sections
+// III and IV. Departs from source: intents; maps by anti-entropy instead of whole.
 #pragma once
+
+#include <map>
 
 #include "agent/behaviours/behaviour.hpp"
 #include "planner/core/obstacle_map/obstacle_map.hpp"
@@ -21,16 +25,20 @@ namespace skein {
 class TransitBehaviour final : public Behaviour {
  public:
   /// @throws std::invalid_argument if the mission is no transit, has no such vehicle or its options are not legal.
-  TransitBehaviour(const Mission& mission, AgentId self);
+  /// @param rejoined it came back after a loss: it flies nothing, and shares its map again
+  TransitBehaviour(const Mission& mission, AgentId self, bool rejoined = false);
 
   [[nodiscard]] bool can_use(const Representative& /*peer*/) const override { return false; }
   RoundOutput on_round(const RoundInput& input) override;
   void add_to(StateHash& hash) const override;
 
  private:
+  void note_lives(const Tick& tick);
   void listen(const RoundInput& input);
   void look(const CellWindow& sight);
+  void hear(const Tick& tick);
   void decide(const Tick& tick, const Sense& sense);
+  void share(const Tick& tick, const Sense& sense);
   [[nodiscard]] std::vector<gridnav::Neighbour> neighbours(const Sense& sense, std::uint32_t decision) const;
   [[nodiscard]] std::optional<ObstacleMapSample> compose(const Tick& tick, const Sense& sense, std::uint32_t decision);
   [[nodiscard]] bool is_crowded(const Sense& sense) const;
@@ -38,6 +46,9 @@ class TransitBehaviour final : public Behaviour {
 
   Mission mission_;
   AgentId self_;
+  bool rejoined_;
+  std::map<AgentId, std::uint32_t> lives_;  ///< incarnations, as the last tick has them
+  std::uint32_t silent_until_ = 0;          ///< decision; its former life may have sent in the same frame of the radio
   std::uint32_t steps_per_decision_;
   gridnav::Navigator navigator_;
   ObstacleMap map_;

@@ -49,15 +49,16 @@ UnderWay::UnderWay(const Mission& mission, AgentId self)
       hold_(spec_, mission.step_s, kShare),
       turn_rad_(spec_.max_curvature_per_m * spec_.speed_mps * mission.step_s) {}
 
-void UnderWay::take_off(const rendezvous::Planner& planner) {
+void UnderWay::take_off(const rendezvous::Planner& planner, std::uint64_t view) {
   set_plan(planner, top_mps_, {});
+  plan_->view = view;
 }
 
 void UnderWay::set_plan(const rendezvous::Planner& planner, double speed_mps, std::span<const Track> avoided) {
   const double height_m = slot_pose(mission_, spec_).position_m.z();
   const VehicleSpec spec = with_speed(spec_, speed_mps);
   plan_.emplace(Plan{path_of(planner, height_m), MovingReference(spec, mission_.step_s, kShare),
-                     PathFollower(spec, mission_.step_s)});
+                     PathFollower(spec, mission_.step_s), 0});
   late_ = LateWatch(mission_.step_s);
   accepted_ = true;
   waiting_.reset();
@@ -120,6 +121,7 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
     case ReplanEvent::Switch: {
       const NewPlan next = replanning_.take();
       set_plan(next.planner, next.speed_mps, next.avoided);
+      plan_->view = next.view;
       out.planned_length_m = plan_->path.length_m();
       break;
     }
@@ -141,6 +143,7 @@ void UnderWay::on_round(const RoundInput& input, RoundOutput& out) {
              : arrived_            ? AgentMode::Arrived
              : sense_.obeyed       ? AgentMode::Flying
                                    : AgentMode::Rejoined;
+  out.plan_view = plan_ && accepted_ && !waiting_ ? plan_->view : 0;
   out.representative = replanning_.sample();
 }
 

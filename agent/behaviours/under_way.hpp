@@ -34,8 +34,8 @@ class UnderWay {
  public:
   UnderWay(const Mission& mission, AgentId self);
 
-  /// Takes the plan made on the ground. @pre it is Ready
-  void take_off(const rendezvous::Planner& planner);
+  /// Takes the plan made on the ground. @param view its digest (plan_view.hpp). @pre it is Ready
+  void take_off(const rendezvous::Planner& planner, std::uint64_t view);
   /// A round in flight: a step, or a planning round between two. Sets all but the samples' signatures.
   void on_round(const RoundInput& input, RoundOutput& out);
 
@@ -46,6 +46,7 @@ class UnderWay {
     FlightPath path;
     MovingReference reference;  ///< of a multirotor
     PathFollower follower;      ///< of a constant-speed vehicle
+    std::uint64_t view = 0;     ///< its digest
   };
   /// A fixed obstacle, and whether the present plan is known to be clear of it.
   struct Known {

@@ -217,6 +217,7 @@ Beacon AgentSession::beacon() const {
   beacon.cost = last_.cost;
   beacon.generation = last_.generation;
   beacon.map_hash = last_.map_hash;
+  beacon.plan_view = last_.plan_view;
   beacon.safety_mode = last_.safety_mode;
   beacon.safety_reason = last_.safety_reason;
   beacon.deviation_m = last_.deviation_m;

@@ -14,7 +14,8 @@ Undisturbed undisturbed_of(const Scenario& scenario) {
   const InProcessResult result = run_in_process(scenario, {});
   Undisturbed run;
   run.rounds = result.report.at("rounds").get<std::uint32_t>();
-  run.steps = std::max(1U, result.report.at("steps").get<std::uint32_t>());
+  const auto steps = result.report.at("steps").get<std::uint32_t>();
+  run.steps = steps > scenario.world.extra_steps ? steps - scenario.world.extra_steps : 1;
   run.step_s = scenario.mission.step_s;
   run.agents = ids_of(scenario.mission);
   run.state_hash = result.report.at("state_hash").get<std::string>();
@@ -32,7 +33,7 @@ Scenario seeded(const Scenario& scenario, std::uint64_t seed) {
 bool is_sound(const RunOutcome& outcome) {
   const bool ended = outcome.result == Result::Completed || outcome.result == Result::Degraded;
   return ended && outcome.orphans.empty() && outcome.leftovers.empty() && outcome.unexplained.empty() &&
-         !outcome.replay_differs;
+         !outcome.replay_differs && outcome.maps_differ == 0 && outcome.unaccepted.empty();
 }
 
 std::vector<RunOutcome> run_campaign(const CampaignPlan& plan) {

@@ -32,8 +32,8 @@ struct CampaignPlan {
 [[nodiscard]] bool is_sound(const RunOutcome& outcome);
 
 /// {"runs", "completed", "degraded", "unsafe", "hangs", "orphans", "leftovers", "unexplained", "replay_mismatches",
-/// "faults": per kind the same counts, "recovery_steps" and "recovery_s" (mean, max) and "reasons" of what was
-/// degraded, "per_run"}.
+/// "maps_judged", "maps_differ", "unaccepted_plans", "faults": per kind the same counts, "recovery_steps" and
+/// "recovery_s" (mean, max) and "reasons" of what was degraded, "per_run"}.
 [[nodiscard]] nlohmann::ordered_json summary_of(const std::vector<RunOutcome>& outcomes);
 
 /// The same for a person: a line a kind, the reasons, and each run that broke an invariant.

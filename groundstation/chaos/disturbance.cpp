@@ -44,7 +44,7 @@ std::optional<std::variant<Disturbance, std::string>> read_line(const std::strin
   }
   if (amount.empty()) return kind;
   const std::optional<double> value = number(amount);
-  if (!needs_network(kind.kind) || !more.empty()) return fmt::format("'{}' takes nothing after it", name);
+  if (!has_amount(kind.kind) || !more.empty()) return fmt::format("'{}' takes nothing after it", name);
   if (!value || !legal(kind.kind, *value)) {
     return fmt::format("'{}' is no amount for {}; allowed: {}", amount, name,
                        kind.kind == Kind::Drop ? "0.001 to 0.5" : "1 to 1000 Mbit/s");
@@ -83,6 +83,7 @@ std::string network_script(const Disturbance& kind) {
     return fmt::format("{} && iptables -A INPUT -i lo -p udp -m statistic --mode random --probability {:.4f} -j DROP",
                        ready, kind.amount);
   }
+  if (kind.kind == Kind::Partition) return ready + " && printf '*filter\\nCOMMIT\\n' | iptables-restore --noflush";
   return fmt::format("{} && tc qdisc add dev lo root tbf rate {:.3f}mbit burst 32kb latency 200ms", ready, kind.amount);
 }
 
@@ -97,8 +98,9 @@ std::optional<std::string> obstacle_to(Kind kind) {
   } catch (const std::exception& error) {
     return error.what();
   }
-  return fmt::format("a network namespace with {} is not to be had here",
-                     kind == Kind::Drop ? "iptables (statistic)" : "tc (tbf)");
+  return fmt::format("a network namespace with {} is not to be had here", kind == Kind::Drop    ? "iptables (statistic)"
+                                                                          : kind == Kind::Delay ? "tc (tbf)"
+                                                                                                : "iptables-restore");
 }
 
 }  // namespace skein::chaos

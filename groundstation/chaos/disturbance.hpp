@@ -10,6 +10,7 @@
 //   slow      an agent is stopped for four fifths of the time, for a while
 //   drop      every received datagram is lost with probability `amount` (iptables)
 //   delay     the network carries `amount` Mbit/s, with what waits for it in a queue (tc tbf)
+//   partition one agent, or half of them, is cut off for a while, and heals (iptables)
 // Source: own. Departs from source: none.
 #pragma once
 
@@ -23,10 +24,10 @@
 
 namespace skein::chaos {
 
-enum class Kind : std::uint8_t { Kill, Stop, Restart, World, Pause, Slow, Drop, Delay };
+enum class Kind : std::uint8_t { Kill, Stop, Restart, World, Pause, Slow, Drop, Delay, Partition };
 
-inline constexpr std::array<std::string_view, 8> kNames{"kill",  "stop", "restart", "world",
-                                                        "pause", "slow", "drop",    "delay"};
+inline constexpr std::array<std::string_view, 9> kNames{"kill", "stop", "restart", "world",    "pause",
+                                                        "slow", "drop", "delay",   "partition"};
 
 [[nodiscard]] constexpr std::string_view name_of(Kind kind) {
   return kNames[static_cast<std::size_t>(kind)];
@@ -50,6 +51,11 @@ struct Disturbance {
 
 /// Whether the kind acts below DDS.
 [[nodiscard]] constexpr bool needs_network(Kind kind) {
+  return kind == Kind::Drop || kind == Kind::Delay || kind == Kind::Partition;
+}
+
+/// Whether it has an amount.
+[[nodiscard]] constexpr bool has_amount(Kind kind) {
   return kind == Kind::Drop || kind == Kind::Delay;
 }
 

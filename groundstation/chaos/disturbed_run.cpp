@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "groundstation/chaos/judgement.hpp"
+#include "groundstation/chaos/partition.hpp"
 #include "groundstation/chaos/traces.hpp"
 #include "groundstation/launch/child.hpp"
 #include "idl/process/common_flags.hpp"
@@ -44,6 +45,7 @@ class DisturbedRun {
     Child child = start();
     if (injection_.kind.kind == Kind::Pause) pause(child);
     if (injection_.kind.kind == Kind::Slow) slow_down(child);
+    if (injection_.kind.kind == Kind::Partition) cut_off(child);
     wait(child, plan_.limit_s + start_s_ - steady_now_s());
     finish(child);
     outcome_.wall_s = steady_now_s() - start_s_;
@@ -83,22 +85,40 @@ class DisturbedRun {
     return true;
   }
 
-  /// Waits until the flight has begun. @return the agent's process
-  std::optional<pid_t> in_flight(Child& child) const {
+  /// Waits until the flight has begun. @return whether it has
+  bool in_flight(Child& child) const {
     while (!wait(child, kLook_s) && steady_now_s() - start_s_ < plan_.limit_s) {
       std::ifstream file(log());
       const std::string text{std::istreambuf_iterator<char>(file), {}};
-      if (text.find("flight: step") != std::string::npos) return process_of(swarm_, injection_.agent);
+      if (text.find("flight: step") != std::string::npos) return true;
     }
-    return std::nullopt;
+    return false;
   }
 
   void pause(Child& child) const {
-    const auto agent = in_flight(child);
-    if (!agent || wait(child, injection_.after_s)) return;
+    if (!in_flight(child) || wait(child, injection_.after_s)) return;
+    const auto agent = process_of(swarm_, injection_.agent);
+    if (!agent) return;
     kill(*agent, SIGSTOP);
     wait(child, injection_.for_s);
     kill(*agent, SIGCONT);
+  }
+
+  void cut_off(Child& child) {
+    if (!in_flight(child) || wait(child, injection_.after_s)) return;
+    std::vector<pid_t> cut;
+    for (const AgentId agent : injection_.cut) {
+      if (const auto process = process_of(swarm_, agent)) cut.push_back(*process);
+    }
+    std::vector<pid_t> others = processes_with(swarm_);
+    std::erase_if(others, [&](pid_t process) { return std::ranges::find(cut, process) != cut.end(); });
+    const std::set<std::uint16_t> ports = ports_of_one_side(cut, others);
+    const std::string scratch = plan_.folder + "/partition";
+    const bool made = !ports.empty() && put_rules(child.pid(), partition_rules(ports), scratch);
+    if (!made && child.running()) outcome_.unexplained.push_back("the partition could not be made");
+    wait(child, injection_.for_s);
+    const bool healed = put_rules(child.pid(), partition_rules({}), scratch);
+    if (!healed && child.running()) outcome_.unexplained.push_back("the partition could not be healed");
   }
 
   void slow_down(Child& child) const {

@@ -1,8 +1,9 @@
 // One run of a campaign: real processes, a fault, and what the system and the run's own report say afterwards.
 //
 // Invariants that hold in every run, whatever its outcome: it ends; no two vehicles and no obstacle touch; each process
-// ends with a reason; no process and no file is left; and one process repeats the run from its roster changes to the
-// same state hash, which without a change is that of the undisturbed run. Source: own. Departs from source: none.
+// ends with a reason; no process and no file is left; nobody flies a plan that a live peer did not accept; shared maps
+// are equal as soon as the radio allows; and one process repeats the run from its roster changes to the same state
+// hash, which without a change is that of the undisturbed run. Source: own. Departs from source: none.
 #pragma once
 
 #include <functional>
@@ -35,6 +36,9 @@ struct RunOutcome {
   std::vector<std::string> leftovers;    ///< files that were left
   std::vector<std::string> unexplained;  ///< processes that ended without a reason, or a report that is missing
   bool replay_differs = false;
+  std::size_t maps_due = 0;                     ///< agents whose maps had the time to become equal (map_watch.hpp)
+  std::size_t maps_differ = 0;                  ///< those of them whose maps are not
+  std::vector<std::string> unaccepted{};        ///< plans flown that live peers did not accept
   std::optional<std::uint32_t> recovery_steps;  ///< from a loss to the return
   std::optional<double> recovery_s;             ///< of the world: wall time; of an agent: simulated
   double wall_s = 0.0;

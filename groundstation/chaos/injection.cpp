@@ -1,6 +1,7 @@
 #include "groundstation/chaos/injection.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -28,10 +29,34 @@ std::vector<Fault> stop_and_go(AgentId agent, const Undisturbed& run, RandomStre
   return {stop, {FaultKind::Cont, agent, Phase::Flying, std::min(go, run.steps)}};
 }
 
+/// One agent, or half of them (rounded down, one at least), by ascending id.
+std::vector<AgentId> one_or_half(const std::vector<AgentId>& agents, RandomStream& random) {
+  std::vector<AgentId> left = agents;
+  const std::size_t count = random.uniform() < 0.5 ? 1 : std::max<std::size_t>(1, agents.size() / 2);
+  std::vector<AgentId> drawn;
+  while (drawn.size() < count) {
+    const auto place = left.begin() + static_cast<std::ptrdiff_t>(random.below(left.size()));
+    drawn.push_back(*place);
+    left.erase(place);
+  }
+  std::ranges::sort(drawn);
+  return drawn;
+}
+
+/// Shorter or longer than the deadline, equally often; of a longer one the flight lasts beyond the healing.
+void draw_partition(const Undisturbed& run, double deadline_s, RandomStream& random, Injection& injection) {
+  injection.cut = one_or_half(run.agents, random);
+  const bool brief = random.uniform() < 0.5;
+  injection.for_s = deadline_s * (brief ? random.uniform(0.05, 0.5) : random.uniform(1.25, 2.5));
+  injection.after_s = random.uniform(0.0, 0.8 * kPacedFlight_s);
+  const double paced_s = kPacedFlight_s + std::max(0.0, injection.for_s - deadline_s);
+  injection.realtime = std::clamp(run.steps * run.step_s / paced_s, 0.1, 1000.0);
+}
+
 }  // namespace
 
 Injection draw(const Disturbance& kind, const Undisturbed& run, double deadline_s, RandomStream& random) {
-  Injection injection{.kind = kind, .script = {}};
+  Injection injection{.kind = kind, .cut = {}, .script = {}};
   const AgentId agent = run.agents[random.below(run.agents.size())];
   const double flight_s = run.steps * run.step_s;
   switch (kind.kind) {
@@ -55,6 +80,9 @@ Injection draw(const Disturbance& kind, const Undisturbed& run, double deadline_
     case Kind::Slow:
       injection.for_s = kSlow_s;
       break;
+    case Kind::Partition:
+      draw_partition(run, deadline_s, random, injection);
+      break;
     case Kind::Drop:
     case Kind::Delay:
       break;
@@ -71,6 +99,9 @@ std::string text_of(const Injection& injection) {
     text += skein::text_of(fault);
   }
   if (!text.empty()) return text;
+  if (injection.kind.kind == Kind::Partition) {
+    return fmt::format("partition:{} {:.2f} s", fmt::join(injection.cut, ","), injection.for_s);
+  }
   if (needs_network(injection.kind.kind)) {
     return fmt::format("{} {}", name_of(injection.kind.kind), injection.kind.amount);
   }

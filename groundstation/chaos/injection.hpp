@@ -18,7 +18,7 @@ inline constexpr double kPacedFlight_s = 2.0;  ///< of wall time, when a fault n
 /// What a run is without faults.
 struct Undisturbed {
   std::uint32_t rounds = 0;  ///< of planning
-  std::uint32_t steps = 0;   ///< of flight
+  std::uint32_t steps = 0;   ///< of flight, until nobody is on the way any more
   double step_s = 1.0;
   std::vector<AgentId> agents;
   std::string state_hash;
@@ -26,9 +26,10 @@ struct Undisturbed {
 
 struct Injection {
   Disturbance kind;
-  AgentId agent = 0;          ///< 0: the world, or all
+  AgentId agent = 0;          ///< 0: the world, all, or those that are cut off
+  std::vector<AgentId> cut;   ///< of a partition: who is on the other side than the world, ascending
   std::vector<Fault> script;  ///< at ticks
-  double after_s = 0.0;       ///< of signals: wall time after the flight has begun
+  double after_s = 0.0;       ///< of signals and partitions: wall time after the flight has begun
   double for_s = 0.0;         ///< and for how long
   double realtime = 0.0;      ///< the pace of the run; 0: as fast as it goes
 };
@@ -36,7 +37,8 @@ struct Injection {
 /// @param deadline_s of the lockstep. @pre at least one agent, round and step
 [[nodiscard]] Injection draw(const Disturbance& kind, const Undisturbed& run, double deadline_s, RandomStream& random);
 
-/// In words: "stop:3@fly:40 cont:3@fly:52", "pause:2 0.31 s", "drop 0.02".
+/// In words: "stop:3@fly:40 cont:3@fly:52", "pause:2 0.31 s", "drop 0.02",
+/// "partition:2,5 0.31 s".
 [[nodiscard]] std::string text_of(const Injection& injection);
 
 }  // namespace skein::chaos

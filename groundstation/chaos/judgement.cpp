@@ -11,8 +11,9 @@ namespace skein::chaos {
 namespace {
 
 /// 0 after a run, 4 when the world went on without it; a kill where the fault is one, or stops an agent: one that
-/// stands still when the run is over is killed by the launcher.
+/// stands still when the run is over is killed by the launcher, and one that is cut off until then is asked to end.
 bool is_explained(const std::string& ended_by, Kind kind) {
+  if (kind == Kind::Partition && ended_by == "exit status 143") return true;
   const bool killed = kind != Kind::World && !needs_network(kind);
   return ended_by == "exit status 0" || ended_by == "exit status 4" || (killed && ended_by == "signal 9 (Killed)");
 }
@@ -33,6 +34,17 @@ void note_recovery(const nlohmann::json& report, const std::vector<RosterChange>
     outcome.recovery_steps = std::max(outcome.recovery_steps.value_or(0), steps);
     outcome.recovery_s = std::max(outcome.recovery_s.value_or(0.0), steps * step_s);
   }
+}
+
+/// Whether maps that had the time are equal, and all plans flown were accepted.
+void note_agreement(const nlohmann::json& report, RunOutcome& outcome) {
+  outcome.maps_due = report.value("maps_due", std::size_t{0});
+  outcome.maps_differ = report.value("maps_differ", std::size_t{0});
+  if (report.at("unaccepted_plans") == 0) return;
+  const nlohmann::json& first = report.at("first_unaccepted_plan");
+  outcome.unaccepted.push_back(fmt::format("{} agent-rounds, first agent {} at step {}",
+                                           report.at("unaccepted_plans").dump(), first.at("agent").dump(),
+                                           first.at("step").dump()));
 }
 
 }  // namespace
@@ -57,6 +69,7 @@ void judge(const nlohmann::json& report, const Scenario& scenario, RunOutcome& o
     if (is_explained(ended_by, outcome.kind)) continue;
     outcome.unexplained.push_back(fmt::format("agent {}: {}", process.at("agent").dump(), ended_by));
   }
+  note_agreement(report, outcome);
   InProcessOptions options;
   options.replay = roster_changes_of(report);
   note_recovery(report, options.replay, scenario.mission.step_s, outcome);

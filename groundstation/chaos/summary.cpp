@@ -15,6 +15,9 @@ constexpr std::array<std::string_view, 5> kResults{"completed", "degraded", "uns
 
 Json counts_of(const std::vector<const RunOutcome*>& outcomes) {
   const auto results = [&](Result result) { return std::ranges::count(outcomes, result, &RunOutcome::result); };
+  const auto runs_where = [&](const auto& holds) {
+    return std::ranges::count_if(outcomes, [&](const RunOutcome* run) { return holds(*run); });
+  };
   std::size_t orphans = 0;
   std::size_t leftovers = 0;
   std::size_t unexplained = 0;
@@ -31,7 +34,10 @@ Json counts_of(const std::vector<const RunOutcome*>& outcomes) {
           {"orphans", orphans},
           {"leftovers", leftovers},
           {"unexplained", unexplained},
-          {"replay_mismatches", std::ranges::count(outcomes, true, &RunOutcome::replay_differs)}};
+          {"replay_mismatches", std::ranges::count(outcomes, true, &RunOutcome::replay_differs)},
+          {"maps_judged", runs_where([](const RunOutcome& run) { return run.maps_due > 0; })},
+          {"maps_differ", runs_where([](const RunOutcome& run) { return run.maps_differ > 0; })},
+          {"unaccepted_plans", runs_where([](const RunOutcome& run) { return !run.unaccepted.empty(); })}};
 }
 
 /// Mean and most of those runs that have the figure; null without one.
@@ -78,6 +84,9 @@ Json of_run(const RunOutcome& outcome) {
   run["orphans"] = outcome.orphans;
   run["leftovers"] = outcome.leftovers;
   run["unexplained"] = outcome.unexplained;
+  run["unaccepted_plans"] = outcome.unaccepted;
+  run["maps_due"] = outcome.maps_due;
+  run["maps_differ"] = outcome.maps_differ;
   return run;
 }
 
@@ -85,6 +94,17 @@ std::string spread_text(const Json& spread, int digits) {
   if (spread.is_null()) return "-";
   return fmt::format("{:.{}f} ({:.{}f})", spread.at("mean").get<double>(), digits, spread.at("max").get<double>(),
                      digits);
+}
+
+std::string row_of(const std::string& name, const Json& counts) {
+  const bool spreads = counts.contains("recovery_s");
+  const auto count = [&](const char* key) { return counts.at(key).get<int>(); };
+  const std::string maps = fmt::format("{}/{}", count("maps_differ"), count("maps_judged"));
+  return fmt::format("{:>9} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>6} {:>7} {:>5} {:>14} {:>14}\n", name, count("runs"),
+                     count("completed"), count("degraded"), count("unsafe"), count("hangs"), count("orphans"),
+                     count("replay_mismatches"), maps, count("unaccepted_plans"),
+                     spreads ? spread_text(counts.at("recovery_steps"), 1) : "",
+                     spreads ? spread_text(counts.at("recovery_s"), 2) : "");
 }
 
 }  // namespace
@@ -106,27 +126,19 @@ Json summary_of(const std::vector<RunOutcome>& outcomes) {
 }
 
 std::string text_of(const Json& summary) {
-  std::string text =
-      fmt::format("{:>8} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>7} {:>16} {:>16}\n", "fault", "runs", "completed",
-                  "degraded", "unsafe", "hangs", "orphans", "replay", "recovery steps", "recovery s");
-  const auto line = [&](const std::string& name, const Json& counts) {
-    const bool spreads = counts.contains("recovery_s");
-    text += fmt::format("{:>8} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>7} {:>16} {:>16}\n", name,
-                        counts.at("runs").get<int>(), counts.at("completed").get<int>(),
-                        counts.at("degraded").get<int>(), counts.at("unsafe").get<int>(), counts.at("hangs").get<int>(),
-                        counts.at("orphans").get<int>(), counts.at("replay_mismatches").get<int>(),
-                        spreads ? spread_text(counts.at("recovery_steps"), 1) : "",
-                        spreads ? spread_text(counts.at("recovery_s"), 2) : "");
-  };
-  for (const auto& [name, counts] : summary.at("faults").items()) line(name, counts);
-  line("all", summary);
+  std::string text = fmt::format("{:>9} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>6} {:>7} {:>5} {:>14} {:>14}\n", "fault",
+                                 "runs", "completed", "degraded", "unsafe", "hangs", "orphans", "replay", "maps",
+                                 "plans", "recovery steps", "recovery s");
+  for (const auto& [name, counts] : summary.at("faults").items()) text += row_of(name, counts);
+  text += row_of("all", summary);
   for (const Json& run : summary.at("per_run")) {
     if (run.at("result") == "completed" && run.at("sound").get<bool>()) continue;
     text += fmt::format("seed {}, {}: {}: {}\n", run.at("seed").dump(), run.at("fault").get<std::string>(),
                         run.at("result").get<std::string>(), run.at("reason").get<std::string>());
-    for (const char* key : {"orphans", "leftovers", "unexplained"}) {
+    for (const char* key : {"orphans", "leftovers", "unexplained", "unaccepted_plans"}) {
       for (const Json& item : run.at(key)) text += fmt::format("  {}: {}\n", key, item.get<std::string>());
     }
+    if (run.at("maps_differ") != 0) text += "  maps differ that had the time to become equal\n";
     if (run.at("replay_differs").get<bool>()) text += "  its replay has another state hash\n";
   }
   return text;

@@ -13,6 +13,7 @@
 #include "groundstation/chaos/campaign.hpp"
 #include "groundstation/cli/verbs.hpp"
 #include "idl/process/signals.hpp"
+#include "simworld/lockstep/map_watch.hpp"
 #include "simworld/lockstep/run.hpp"
 #include "simworld/process/world_process.hpp"
 
@@ -22,7 +23,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDeadlineKey = "lockstep.deadline_s";
-constexpr const char* kDeadline = "2";  ///< a campaign would wait for most of its time else
+constexpr const char* kExtraKey = "world.extra_steps";
+constexpr std::uint32_t kMostExtra = 20'000;  ///< steps: a radio that needs more is not waited for
+constexpr const char* kDeadline = "2";        ///< a campaign would wait for most of its time else
 
 struct ChaosArguments {
   WorldArguments world;
@@ -115,13 +118,24 @@ int campaign(ChaosArguments& arguments, const Scenario& scenario) {
   return std::ranges::all_of(outcomes, chaos::is_sound) ? 0 : static_cast<int>(ExitCode::Failed);
 }
 
+/// Maps can be equal at the end only if the run goes on for a while when nobody is on the way any more.
+/// @return whether there is a new override
+bool let_maps_settle(const Scenario& scenario, std::vector<Override>& overrides) {
+  const std::optional<std::uint32_t> steps = settling_steps(scenario.mission);
+  const bool chosen = std::ranges::find(overrides, kExtraKey, &Override::key) != overrides.end();
+  if (!steps || *steps > kMostExtra || chosen || scenario.world.extra_steps > *steps) return false;
+  overrides.push_back({kExtraKey, std::to_string(*steps + 1)});
+  return true;
+}
+
 int run(ChaosArguments& arguments) {
   try {
     auto& overrides = arguments.world.overrides;
     if (std::ranges::find(overrides, kDeadlineKey, &Override::key) == overrides.end()) {
       overrides.push_back({kDeadlineKey, kDeadline});
     }
-    const std::optional<Scenario> scenario = load_or_complain(arguments.world);
+    std::optional<Scenario> scenario = load_or_complain(arguments.world);
+    if (scenario && let_maps_settle(*scenario, overrides)) scenario = load_or_complain(arguments.world);
     return scenario ? campaign(arguments, *scenario) : static_cast<int>(ExitCode::Usage);
   } catch (const std::exception& error) {
     std::cerr << "skein chaos: " << error.what() << "\n";

@@ -29,33 +29,33 @@ template <typename Sample>
 struct Carried;
 template <>
 struct Carried<wire::Mission> {
-  using Type = v5::MissionPubSubType;
+  using Type = v6::MissionPubSubType;
   static constexpr TopicId kTopic = TopicId::Mission;
 };
 template <>
 struct Carried<wire::Tick> {
-  using Type = v5::TickPubSubType;
+  using Type = v6::TickPubSubType;
   static constexpr TopicId kTopic = TopicId::Tick;
 };
 template <>
 struct Carried<wire::Sense> {
-  using Type = v5::SensePubSubType;
+  using Type = v6::SensePubSubType;
   static constexpr TopicId kTopic = TopicId::Sense;
 };
 template <>
 struct Carried<wire::Beacon> {
-  using Type = v5::BeaconPubSubType;
+  using Type = v6::BeaconPubSubType;
   static constexpr TopicId kTopic = TopicId::Beacon;
 };
 template <>
 struct Carried<wire::Representative> {
-  using Type = v5::RepresentativePubSubType;
+  using Type = v6::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
 };
 
 template <>
 struct Carried<wire::ObstacleMap> {
-  using Type = v5::ObstacleMapPubSubType;
+  using Type = v6::ObstacleMapPubSubType;
   static constexpr TopicId kTopic = TopicId::ObstacleMap;
 };
 

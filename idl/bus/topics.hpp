@@ -42,16 +42,16 @@ inline constexpr std::uint8_t kAgentRole = role_bit(Role::Agent);
 inline constexpr std::uint8_t kObserverRole = role_bit(Role::Observer);
 
 inline constexpr std::array<TopicSpec, 6> kTopics{{
-    {TopicId::Mission, "skein/mission", "skein::v5::Mission", false, true, 1, false, kHeartbeat_s, kWorldRole,
+    {TopicId::Mission, "skein/mission", "skein::v6::Mission", false, true, 1, false, kHeartbeat_s, kWorldRole,
      kAgentRole | kObserverRole},
-    {TopicId::Tick, "skein/tick", "skein::v5::Tick", false, false, 16, false, kHeartbeat_s, kWorldRole,
+    {TopicId::Tick, "skein/tick", "skein::v6::Tick", false, false, 16, false, kHeartbeat_s, kWorldRole,
      kAgentRole | kObserverRole},
-    {TopicId::Sense, "skein/sense", "skein::v5::Sense", true, false, 16, true, kHeartbeat_s, kWorldRole, kAgentRole},
-    {TopicId::Beacon, "skein/beacon", "skein::v5::Beacon", true, false, 16, false, kHeartbeat_s, kAgentRole,
+    {TopicId::Sense, "skein/sense", "skein::v6::Sense", true, false, 16, true, kHeartbeat_s, kWorldRole, kAgentRole},
+    {TopicId::Beacon, "skein/beacon", "skein::v6::Beacon", true, false, 16, false, kHeartbeat_s, kAgentRole,
      kWorldRole | kObserverRole},
-    {TopicId::Representative, "skein/representative", "skein::v5::Representative", true, false, 16, false,
+    {TopicId::Representative, "skein/representative", "skein::v6::Representative", true, false, 16, false,
      kSlowHeartbeat_s, kAgentRole | kWorldRole, kAgentRole | kWorldRole},
-    {TopicId::ObstacleMap, "skein/obstacle_map", "skein::v5::ObstacleMap", true, false, 16, false, kSlowHeartbeat_s,
+    {TopicId::ObstacleMap, "skein/obstacle_map", "skein::v6::ObstacleMap", true, false, 16, false, kSlowHeartbeat_s,
      kAgentRole | kWorldRole, kAgentRole | kWorldRole},
 }};
 

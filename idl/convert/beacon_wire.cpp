@@ -78,6 +78,7 @@ wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp) {
   out.cost(beacon.cost);
   out.generation(beacon.generation);
   out.map_hash(beacon.map_hash);
+  out.plan_view(beacon.plan_view);
   out.safety_mode(static_cast<std::uint8_t>(beacon.safety_mode));
   out.safety_reason(static_cast<std::uint8_t>(beacon.safety_reason));
   out.deviation_m(beacon.deviation_m);
@@ -116,6 +117,7 @@ Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context
   out.cost = sample.cost();
   out.generation = sample.generation();
   out.map_hash = sample.map_hash();
+  out.plan_view = sample.plan_view();
   out.safety_mode = static_cast<SafetyMode>(sample.safety_mode());
   out.safety_reason = static_cast<SafetyReason>(sample.safety_reason());
   out.deviation_m = sample.deviation_m();

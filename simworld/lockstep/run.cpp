@@ -34,7 +34,9 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
       world_(mission, options.on_agent_loss, options.hidden, options.surprises),
       hash_(mission_hash(mission)) {
   for (const VehicleSpec& vehicle : mission.vehicles) plan_.push_back({.agent = vehicle.id});
-  if (mission.transit) radio_.emplace(mission);
+  if (!mission.transit) return;
+  radio_.emplace(mission);
+  map_watch_.emplace(mission);
 }
 
 Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost, std::span<const RosterEntry> back) {
@@ -60,7 +62,9 @@ Moment Run::next(const Barrier& answers, std::span<const Loss> lost) const {
 Tick Run::decide(const Barrier& answers, std::span<const Loss> lost, std::span<const RosterEntry> back) {
   if (phase_ != Phase::Planning && phase_ != Phase::Flying) throw std::logic_error("no round is open");
   const std::size_t known = changes_.size();
+  const Opened open{phase_, step_, round_};
   drop(lost);
+  plan_watch_.add(open, answers, roster_);
   if (step_ == 0 && phase_ == Phase::Planning) {
     decide_planning(answers);
   } else if (!finished()) {

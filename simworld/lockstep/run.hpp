@@ -20,6 +20,8 @@
 #include "simworld/lockstep/answers.hpp"
 #include "simworld/lockstep/barrier.hpp"
 #include "simworld/lockstep/flight_log.hpp"
+#include "simworld/lockstep/map_watch.hpp"
+#include "simworld/lockstep/plan_watch.hpp"
 #include "simworld/lockstep/radio_log.hpp"
 #include "simworld/scenario/scenario.hpp"
 #include "simworld/world/world.hpp"
@@ -92,8 +94,12 @@ class Run {
   /// Rounds of the open flight step; planning rounds of all flight steps.
   [[nodiscard]] std::uint32_t rounds_in_step() const { return rounds_in_step_; }
   [[nodiscard]] std::uint32_t replan_rounds() const { return replan_rounds_; }
+  /// Whether somebody flew a plan that its peers did not accept.
+  [[nodiscard]] const PlanWatch& plan_watch() const { return plan_watch_; }
   /// What the radio carried; nothing if the mission is no transit.
   [[nodiscard]] const RadioLog* radio() const { return radio_ ? &*radio_ : nullptr; }
+  /// Whether its maps became equal; nothing if the mission is no transit.
+  [[nodiscard]] const MapWatch* map_watch() const { return map_watch_ ? &*map_watch_ : nullptr; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
   /// What the run came to. @pre finished().
   [[nodiscard]] Verdict verdict() const;
@@ -126,6 +132,7 @@ class Run {
   bool fail_fast_;
   World world_;
   std::optional<RadioLog> radio_;
+  std::optional<MapWatch> map_watch_;
   Phase phase_ = Phase::Waiting;
   std::uint32_t step_ = 0;
   std::uint32_t round_ = 0;
@@ -139,6 +146,7 @@ class Run {
   std::optional<double> plan_spread_m_;
   std::string failure_;
   FlightLog flight_log_;
+  PlanWatch plan_watch_;
   std::map<AgentId, AgentMode> modes_;  ///< as said last under way
   std::uint32_t rounds_in_step_ = 1;
   std::uint32_t planning_left_ = 0;  ///< planning rounds of the open step that are not decided yet

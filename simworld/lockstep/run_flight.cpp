@@ -98,14 +98,19 @@ void Run::decide_flight(const Barrier& answers) {
 
 void Run::log_radio(const Barrier& answers) {
   std::vector<OnAir> agents;
+  std::vector<MapHolder> holders;
   for (const RosterEntry& entry : roster_) {
     const Answer* answer = answers.answer_of(entry.agent);
-    if (answer->beacon->mode == AgentMode::Rejoined) continue;
+    const VehicleRecord& vehicle = world_.vehicle(entry.agent);
+    const std::uint64_t map_hash = answer->beacon->map_hash;
+    if (vehicle.status == VehicleStatus::Removed) continue;
+    if (answer->beacon->mode == AgentMode::Rejoined && map_hash == 0) continue;
     const bool sent = answer->beacon->obstacle_map && answer->obstacle_map;
-    agents.push_back({entry.agent, world_.vehicle(entry.agent).state.position_m,
-                      sent ? &*answer->obstacle_map : nullptr, answer->beacon->map_hash});
+    agents.push_back({entry.agent, vehicle.state.position_m, sent ? &*answer->obstacle_map : nullptr, map_hash});
+    holders.push_back({entry.agent, entry.incarnation, vehicle.state.position_m, map_hash});
   }
   radio_->add(step_, round_, agents);
+  map_watch_->add(step_, holders);
 }
 
 Sense Run::sense_of(const RosterEntry& entry) const {
@@ -131,6 +136,7 @@ Sense Run::sense_of(const RosterEntry& entry) const {
 std::vector<HeardPeer> Run::heard_by(const VehicleRecord& vehicle) const {
   std::vector<HeardPeer> heard;
   const std::optional<TransitMission>& transit = mission_.transit;
+  if (transit && vehicle.status == VehicleStatus::Removed) return heard;  // it is not there, and not on air
   const double seen_m = std::max(mission_.controller.sensor_range_m, transit ? transit->sensor.range_m : 0.0);
   const double radio_m = transit ? transit->radio.range_m : std::numeric_limits<double>::infinity();
   for (const VehicleRecord& other : world_.vehicles()) {

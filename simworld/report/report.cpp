@@ -125,6 +125,18 @@ void add_radio(Json& report, const RadioLog& log) {
   report["map_equal_since_step"] = or_null(log.equal_since());
 }
 
+void add_unaccepted(Json& report, const PlanWatch& watch) {
+  report["unaccepted_plans"] = watch.unaccepted();
+  report["first_unaccepted_plan"] = nullptr;
+  if (watch.first()) report["first_unaccepted_plan"] = {{"agent", watch.first()->agent}, {"step", watch.first()->step}};
+}
+
+void add_maps(Json& report, const MapWatch& watch) {
+  report["map_settling_steps"] = or_null(watch.settling_steps());
+  report["maps_due"] = watch.due();
+  report["maps_differ"] = watch.differing();
+}
+
 /// A whole number of `least` or more. @throws std::runtime_error
 std::uint32_t whole(const nlohmann::json& item, const char* key, std::uint64_t least) {
   const nlohmann::json& value = item.at(key);
@@ -192,11 +204,13 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
                          world.count(ContactKind::NoFly) + world.count(ContactKind::Terrain) +
                          world.count(ContactKind::Hidden) + world.count(ContactKind::Mover);
   report["near_misses"] = world.count(ContactKind::NearMiss);
+  add_unaccepted(report, run.plan_watch());
   report["min_separation_m"] = or_null(world.min_separation_m());
   report["min_clearance_m"] = or_null(world.min_clearance_m());
   report["separations"] = separations_of(world);
   report["vehicles"] = vehicles_of(run);
   if (run.radio() != nullptr) add_radio(report, *run.radio());
+  if (run.map_watch() != nullptr) add_maps(report, *run.map_watch());
   add_surprises(report, run);
   report["roster_changes"] = changes_of(run);
   report["discovery_s"] = span_s(times.created_s, times.started_s);

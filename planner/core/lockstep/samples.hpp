@@ -246,6 +246,7 @@ struct Beacon {
   double cost = 0.0;             ///< of its best particle, in length units
   std::uint32_t generation = 0;  ///< of its sub-swarm
   std::uint64_t map_hash = 0;    ///< of its obstacle map: equal maps, equal hashes; 0 without one
+  std::uint64_t plan_view = 0;   ///< of the plan that it flies (plan_view.hpp); 0: of none that the swarm agreed on
   SafetyMode safety_mode = SafetyMode::Autonomous;
   SafetyReason safety_reason = SafetyReason::None;
   double deviation_m = 0.0;             ///< from where its plan says; 0 without one

@@ -27,6 +27,7 @@ ObstacleMap::ObstacleMap(const CellGrid& grid, AgentId self, std::span<const Age
       logs_(ids.size()),
       seen_(ids.size(), 0),
       told_(ids.size(), 0),
+      first_(ids.size(), 0),
       peers_(ids.size()) {
   if (grid.nx < 1 || grid.ny < 1 || grid.nz < 1) throw std::invalid_argument("the grid of a map has no cell");
   merged_.resize(tiles_.size());
@@ -122,9 +123,31 @@ void ObstacleMap::unmark(std::span<const CellIndex> cells) {
   close_change();
 }
 
+/// Whether a log of this rank holds of a tile what no other one does.
+bool ObstacleMap::only_in(std::size_t rank, const LogEntry& entry) const {
+  TileState others;
+  for (std::size_t other = 0; other < logs_.size(); ++other) {
+    if (other != rank) others = join(others, logs_[other].at(entry.tile));
+  }
+  return join(others, entry.state) != others;
+}
+
+void ObstacleMap::begin_life(AgentId agent, std::uint32_t first_version) {
+  const auto rank = rank_of(agent);
+  if (!rank || *rank == self_) return;
+  for (const LogEntry& entry : logs_[*rank].entries()) {
+    if (only_in(*rank, entry)) contribute(entry.tile, entry.state);
+  }
+  close_change();
+  logs_[*rank] = TileLog{};
+  seen_[*rank] = told_[*rank] = 0;
+  first_[*rank] = first_version;
+}
+
 void ObstacleMap::absorb(const MapTile& tile) {
   const auto origin = rank_of(tile.origin);
   if (!origin || tile.tile >= merged_.size()) return;
+  if (*origin != self_ && tile.version <= first_[*origin]) return;  // of a former life, and in the sender's own log
   const TileState theirs{tile.epoch, tile.cells};
   if (*origin == self_) {
     contribute(tile.tile, theirs);  // new to the own log only if of a former life

@@ -15,10 +15,13 @@
 // peer its origin sends it, else the next id after it; the others step in only after `patience_rounds` each. A tile
 // sent waits for the answer before it is sent again. What was longest without being sent outranks the nearest in the
 // end, so nothing starves.
-// Source: papers/004, section IV-B2 (maps of 2 bits a cell); Shapiro et al. 2011; van Renesse et al. 2008. Departs from
-// source: the paper sends the whole matrix. Complexity: observe O(changes log tiles); merge O(tiles log tiles), and a
-// pass over a log for each entry that rises; compose O(peers x tiles that one of them lacks). Memory: 48 bytes for each
-// tile and agent that contributed to it.
+// Lives. Who comes back knows nothing any more and begins a log anew, over all versions of its former life. All others
+// take over into their own logs what only that former log held, and forget it (begin_life), in the same round: so that
+// it reaches the one who came back as any other tile does, and digests are of one life. Source: papers/004, section
+// IV-B2 (maps of 2 bits a cell); Shapiro et al. 2011; van Renesse et al. 2008. Departs from source: the paper sends the
+// whole matrix. Complexity: observe O(changes log tiles); merge O(tiles log tiles), and a pass over a log for each
+// entry that rises; compose O(peers x tiles that one of them lacks). Memory: 48 bytes for each tile and agent that
+// contributed to it.
 #pragma once
 
 #include <limits>
@@ -73,6 +76,9 @@ class ObstacleMap {
   void observe(std::span<const CellChange> changes);
   /// The planner takes its marks back: cells that are Revisited are Free in the next epoch of their tile.
   void unmark(std::span<const CellIndex> cells);
+  /// An agent came back, and writes its log anew, all versions over `first_version`.
+  /// @pre no version of its former life is over that
+  void begin_life(AgentId agent, std::uint32_t first_version);
   /// What a peer sent: tiles of any agent, in any order. Agents that are not in the mission and tiles that are not in
   /// the grid are left out.
   void merge(const ObstacleMapSample& sample);
@@ -110,6 +116,7 @@ class ObstacleMap {
   [[nodiscard]] std::optional<std::size_t> rank_of(AgentId agent) const;
   [[nodiscard]] TilePlace place_of(CellIndex cell) const;
   void contribute(std::uint32_t tile, const TileState& state);
+  [[nodiscard]] bool only_in(std::size_t rank, const LogEntry& entry) const;
   void close_change();
   void open_epochs(std::span<const CellChange> contradictions);
   void absorb(const MapTile& tile);
@@ -133,6 +140,7 @@ class ObstacleMap {
   std::vector<TileLog> logs_;         ///< by rank
   std::vector<std::uint32_t> seen_;   ///< by rank
   std::vector<std::uint32_t> told_;   ///< `seen_` as last told
+  std::vector<std::uint32_t> first_;  ///< by rank: versions up to this one are of a former life
   std::size_t next_told_ = 0;         ///< where a vector that does not fit goes on
   std::uint32_t composed_round_ = 0;
   std::uint32_t told_round_ = 0;  ///< when a part that was not idle was last composed

@@ -85,9 +85,13 @@ TEST(Replanning, AllTurnToPlansOfOneLengthInTheStepThatWasAgreed) {
   const std::uint32_t agreed = swarm.agents.at(1).switch_step();
   EXPECT_EQ(swarm.until_the_end(), kAllSwitch);
   EXPECT_EQ(swarm.tick.step, agreed + 1) << "the switch's step is flown";
-  const double length_m = swarm.agents.at(1).take().planner.path_length_m();
+  const NewPlan first = swarm.agents.at(1).take();
+  EXPECT_NE(first.view, 0U);
+  const double length_m = first.planner.path_length_m();
   for (const AgentId id : {2U, 3U}) {
-    EXPECT_NEAR(swarm.agents.at(id).take().planner.path_length_m(), length_m, 1e-8 * length_m);
+    const NewPlan other = swarm.agents.at(id).take();
+    EXPECT_NEAR(other.planner.path_length_m(), length_m, 1e-8 * length_m);
+    EXPECT_EQ(other.view, first.view) << "the same representatives";
   }
 }
 

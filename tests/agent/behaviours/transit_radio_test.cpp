@@ -181,5 +181,75 @@ TEST(TransitSending, KeepsItsShareOfTheChannelInEveryFrame) {
   EXPECT_GT(most_bits, 2200.0);
 }
 
+/// Agent 1 or 2, at rest on the west side, which hears the other one's samples.
+class AtRest {
+ public:
+  AtRest(const Mission& mission, AgentId self, bool rejoined)
+      : mission_(mission), behaviour_(mission, self, rejoined), self_(self) {}
+
+  RoundOutput step(std::uint32_t step, std::uint32_t life_of_1, const std::vector<ObstacleMapSample>& maps,
+                   const CellWindow& sight) {
+    Tick tick;
+    tick.step = step;
+    tick.round = step + 1;
+    tick.phase = Phase::Flying;
+    tick.roster = {{.agent = 1, .incarnation = life_of_1}, {.agent = 2, .incarnation = 1}};
+    Sense sense;
+    sense.pose.position_m = vehicle_of(mission_, self_).start.position_m;
+    sense.velocity_mps = Vec3(0.5, 0.0, 0.0);
+    sense.heard = {{3 - self_, vehicle_of(mission_, 3 - self_).start.position_m, Vec3::Zero(), false}};
+    sense.sight = sight;
+    RoundOutput out = behaviour_.on_round({tick, &sense, {}, maps});
+    if (out.obstacle_map) {  // signed as the runtime does
+      out.obstacle_map->agent = self_;
+      out.obstacle_map->incarnation = self_ == 1 ? life_of_1 : 1;
+      out.obstacle_map->round = tick.round;
+    }
+    return out;
+  }
+
+ private:
+  Mission mission_;
+  TransitBehaviour behaviour_;
+  AgentId self_;
+};
+
+TEST(TransitReturn, WhoCameBackFliesNothingAndHasTheSwarmsMapAgain) {
+  const Mission mission = crossing();
+  AtRest before(mission, 1, false);
+  AtRest other(mission, 2, false);
+  std::vector<ObstacleMapSample> said;  // by agent 1, whose former life alone sees a wall
+  for (std::uint32_t step = 1; step <= 3; ++step) {
+    const RoundOutput out = before.step(step, 1, {}, sight_of(wall_at(12)));
+    (void)other.step(step, 1, said, free_block({0, 0, 0}, 4, 4));
+    said.clear();
+    if (out.obstacle_map) said.push_back(*out.obstacle_map);
+  }
+  AtRest back(mission, 1, true);
+  std::vector<ObstacleMapSample> by_back;
+  std::vector<ObstacleMapSample> by_other;
+  std::uint64_t of_back = 0;
+  std::uint64_t of_other = 1;
+  for (std::uint32_t step = 4; step <= 40; ++step) {
+    const RoundOutput first = back.step(step, 2, by_other, free_block({0, 0, 0}, 4, 4));
+    const RoundOutput second = other.step(step, 2, by_back, free_block({0, 0, 0}, 4, 4));
+    EXPECT_EQ(first.mode, AgentMode::Rejoined);
+    EXPECT_EQ(first.commanded_velocity_mps, Vec3(0.5, 0.0, 0.0)) << "it holds its course";
+    EXPECT_FALSE(step == 4 && first.obstacle_map) << "its former life may have filled this frame";
+    by_back.clear();
+    by_other.clear();
+    if (first.obstacle_map) {
+      EXPECT_EQ(first.obstacle_map->intent.decision, 0U) << "it announces no motion";
+      by_back.push_back(*first.obstacle_map);
+    }
+    if (second.obstacle_map) by_other.push_back(*second.obstacle_map);
+    of_back = first.map_hash;
+    of_other = second.map_hash;
+  }
+  EXPECT_EQ(of_back, of_other);
+  AtRest ignorant(mission, 2, false);
+  EXPECT_NE(ignorant.step(1, 1, {}, free_block({0, 0, 0}, 4, 4)).map_hash, of_other) << "the wall is in it";
+}
+
 }  // namespace
 }  // namespace skein::test

@@ -22,11 +22,12 @@ TEST(Disturbance, EveryNameIsReadAsItsKind) {
 }
 
 TEST(Disturbance, AMistakeIsNamedWithItsLine) {
-  const std::string allowed = "kill, stop, restart, world, pause, slow, drop, delay";
+  const std::string allowed = "kill, stop, restart, world, pause, slow, drop, delay, partition";
   const std::pair<const char*, std::string> mistakes[] = {
       {"kill\nmelt\n", "f:2:1: unknown fault 'melt'; allowed: " + allowed},
       {"# nothing\n", "f:1:1: no fault is named; allowed: " + allowed},
       {"kill 3", "f:1:1: 'kill' takes nothing after it"},
+      {"partition 2", "f:1:1: 'partition' takes nothing after it"},
       {"drop 0.1 0.2", "f:1:1: 'drop' takes nothing after it"},
       {"drop 0.6", "f:1:1: '0.6' is no amount for drop; allowed: 0.001 to 0.5"},
       {"drop nan", "f:1:1: 'nan' is no amount for drop; allowed: 0.001 to 0.5"},

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace skein::chaos {
@@ -25,7 +26,11 @@ TEST(Injection, FallsWithinTheRun) {
         ASSERT_LE(fault.at, fault.phase == Phase::Planning ? 40U : 300U) << text_of(injection);
         ASSERT_TRUE(parse_fault(skein::text_of(fault)).fault.has_value());
       }
-      ASSERT_LE(injection.for_s, kind.kind == Kind::Slow ? 1.5 : 0.5 * kDeadline_s);
+      const double longest_s = kind.kind == Kind::Slow        ? 1.5
+                               : kind.kind == Kind::Partition ? 2.5 * kDeadline_s
+                                                              : 0.5 * kDeadline_s;
+      ASSERT_LE(injection.for_s, longest_s);
+      ASSERT_EQ(injection.cut.empty(), kind.kind != Kind::Partition);
       ASSERT_LE(injection.after_s, kPacedFlight_s);
       const bool nobody = kind.kind == Kind::World || needs_network(kind.kind);
       ASSERT_EQ(injection.agent == kWorldId, nobody);
@@ -67,11 +72,40 @@ TEST(Injection, TheSameStreamDrawsTheSameAndAnotherSomethingElse) {
   EXPECT_NE(text_of(drawn({Kind::Stop}, 3)), text_of(drawn({Kind::Stop}, 4)));
 }
 
+TEST(Injection, APartitionCutsOneOrHalfOffShorterOrLongerThanTheDeadline) {
+  Undisturbed run = kRun;
+  run.agents = {1, 2, 3, 4, 5, 6, 7};
+  std::set<std::size_t> sizes;
+  std::set<AgentId> agents;
+  int longer = 0;
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    const Injection injection = drawn({Kind::Partition}, index, run);
+    EXPECT_TRUE(std::ranges::is_sorted(injection.cut));
+    EXPECT_EQ(std::ranges::adjacent_find(injection.cut), injection.cut.end());
+    sizes.insert(injection.cut.size());
+    agents.insert(injection.cut.begin(), injection.cut.end());
+    EXPECT_TRUE(injection.for_s <= 0.5 * kDeadline_s || injection.for_s >= 1.25 * kDeadline_s) << injection.for_s;
+    const bool outlasts = injection.for_s > kDeadline_s;
+    longer += outlasts ? 1 : 0;
+    const double flight_s = run.steps * run.step_s / injection.realtime;
+    const double rest_s = flight_s - injection.after_s;  // of wall time; while somebody is waited for it does not pass
+    EXPECT_GE(rest_s, (outlasts ? injection.for_s - kDeadline_s : 0.0) + 0.2 * kPacedFlight_s - 1e-9);
+  }
+  EXPECT_EQ(sizes, (std::set<std::size_t>{1, 3}));
+  EXPECT_EQ(agents.size(), 7U);
+  EXPECT_GT(longer, 60);
+  EXPECT_LT(longer, 140);
+}
+
 TEST(Injection, SaysInWordsWhatIsDone) {
-  EXPECT_EQ(text_of(Injection{.kind = {Kind::Drop, 0.02}, .script = {}}), "drop 0.02");
-  EXPECT_EQ(text_of(Injection{.kind = {Kind::Pause}, .agent = 3, .script = {}, .for_s = 0.25}), "pause:3 0.25 s");
+  EXPECT_EQ(text_of(Injection{.kind = {Kind::Drop, 0.02}, .cut = {}, .script = {}}), "drop 0.02");
+  EXPECT_EQ(text_of(Injection{.kind = {Kind::Partition}, .cut = {2, 5}, .script = {}, .for_s = 3.5}),
+            "partition:2,5 3.50 s");
+  EXPECT_EQ(text_of(Injection{.kind = {Kind::Pause}, .agent = 3, .cut = {}, .script = {}, .for_s = 0.25}),
+            "pause:3 0.25 s");
   EXPECT_EQ(text_of(Injection{
                 .kind = {Kind::World},
+                .cut = {},
                 .script = {{FaultKind::Kill, kWorldId, Phase::Flying, 9}, {FaultKind::Kill, 2, Phase::Flying, 10}}}),
             "kill:world@fly:9 kill:2@fly:10");
 }

@@ -65,8 +65,26 @@ TEST(Judgement, WhatBreaksAnInvariantIsNotSound) {
   report = report_with();
   report["processes"][0]["ended_by"] = "signal 11 (Segmentation fault)";
   EXPECT_EQ(judged(report).unexplained, std::vector<std::string>{"agent 1: signal 11 (Segmentation fault)"});
+  report = report_with();
+  report["unaccepted_plans"] = 7;
+  report["first_unaccepted_plan"] = {{"agent", 2}, {"step", 5}};
+  EXPECT_EQ(judged(report).unaccepted, std::vector<std::string>{"7 agent-rounds, first agent 2 at step 5"});
+  EXPECT_FALSE(is_sound(judged(report)));
+  report = report_with();
+  report["maps_due"] = 4;
+  EXPECT_TRUE(is_sound(judged(report)));
+  report["maps_differ"] = 2;
+  EXPECT_EQ(judged(report).maps_differ, 2U);
+  EXPECT_FALSE(is_sound(judged(report)));
   EXPECT_FALSE(is_sound(judged(nullptr)));
   EXPECT_EQ(judged(nullptr).unexplained, std::vector<std::string>{"no report, exit code 2"});
+}
+
+TEST(Judgement, WhoIsCutOffUntilTheRunIsOverIsAskedToEnd) {
+  nlohmann::json report = report_with();
+  report["processes"][1]["ended_by"] = "exit status 143";
+  EXPECT_TRUE(is_sound(judged(report, Kind::Partition)));
+  EXPECT_FALSE(is_sound(judged(report, Kind::Slow)));
 }
 
 TEST(Judgement, TheWorldsRecoveryIsInSeconds) {
@@ -82,6 +100,7 @@ TEST(Summary, CountsByKindAndNamesEachReason) {
   good.kind = Kind::Pause;
   good.seed = 3;
   RunOutcome slow = good;
+  slow.seed = 4;
   slow.recovery_steps = 4;
   RunOutcome hung;
   hung.kind = Kind::Stop;
@@ -90,7 +109,14 @@ TEST(Summary, CountsByKindAndNamesEachReason) {
   hung.result = Result::Hung;
   hung.reason = "it did not end within 120 s";
   hung.orphans = {"process 12"};
+  slow.maps_due = 3;
+  good.maps_due = 3;
+  good.maps_differ = 2;
+  hung.unaccepted = {"3 agent-rounds, first agent 1 at step 2"};
   const auto summary = summary_of({good, slow, hung});
+  EXPECT_EQ(summary.at("maps_judged"), 2);
+  EXPECT_EQ(summary.at("maps_differ"), 1);
+  EXPECT_EQ(summary.at("unaccepted_plans"), 1);
   EXPECT_EQ(summary.at("runs"), 3);
   EXPECT_EQ(summary.at("completed"), 2);
   EXPECT_EQ(summary.at("hangs"), 1);
@@ -101,10 +127,12 @@ TEST(Summary, CountsByKindAndNamesEachReason) {
   EXPECT_TRUE(summary.at("faults").at("pause").at("recovery_s").is_null());
   EXPECT_EQ(summary.at("faults").at("stop").at("reasons").at(0).at("reason"), "it did not end within 120 s");
   const std::string text = text_of(summary);
-  EXPECT_NE(text.find("seed 9, stop:1@fly:3: hung: it did not end within 120 s\n  orphans: process 12\n"),
+  EXPECT_NE(text.find("seed 9, stop:1@fly:3: hung: it did not end within 120 s\n  orphans: process 12\n"
+                      "  unaccepted_plans: 3 agent-rounds, first agent 1 at step 2\n"),
             std::string::npos)
       << text;
-  EXPECT_EQ(text.find("seed 3"), std::string::npos) << "what went well is not told one by one";
+  EXPECT_NE(text.find("  maps differ that had the time to become equal\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("seed 4"), std::string::npos) << "what went well is not told one by one";
 }
 
 }  // namespace

@@ -71,6 +71,45 @@ TEST(AlteredRepresentative, ToOneReceiverChangesTheRun) {
   }
 }
 
+TEST(AlteredRepresentative, TheLastOneAlteredForOneReceiverIsAPlanThatItsPeersDidNotAccept) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Scenario scenario = paper_scenario(seed);
+    const InProcessResult honest = run_with(scenario, {});
+    ASSERT_EQ(honest.report.at("unaccepted_plans"), 0) << seed;
+    ASSERT_TRUE(honest.report.at("first_unaccepted_plan").is_null()) << seed;
+    const auto last = honest.report.at("rounds").get<std::uint32_t>() - 1;  // upon which all are ready in the next
+    const auto receiver = static_cast<AgentId>(2 + seed % 2);
+    std::uint64_t altered = 0;
+    const Edit hardly = [](wire::Representative& sample) { sample.particle()[0] *= 1.0 + 1e-12; };
+    const InProcessResult lied = run_with(scenario, altering(1, receiver, last, hardly, altered));
+    ASSERT_EQ(altered, 1U) << seed;
+    ASSERT_EQ(lied.report.at("exit_code"), 0) << seed << ": " << lied.report.at("reason");
+    ASSERT_EQ(lied.report.at("unaccepted_plans"), lied.report.at("steps")) << seed << ": one agent in each round";
+    ASSERT_EQ(lied.report.at("first_unaccepted_plan").at("agent"), receiver) << seed;
+    ASSERT_EQ(lied.report.at("first_unaccepted_plan").at("step"), 1) << seed;
+  }
+}
+
+TEST(AlteredRepresentative, OfANewPlanUnderWayIsFoundToo) {
+  const Scenario scenario = paper_scenario(1, "rendezvous-surprise");
+  std::uint32_t last = 0;  // round in which agent 1 published the representative that the new plan is made of
+  const InProcessResult honest = run_with(scenario, [&](bus::Transit transit) {
+    const auto* sample = std::get_if<wire::Representative>(&transit.sample);
+    if (sample != nullptr && sample->agent() == 1 && sample->reopening().empty()) last = sample->round();
+    return std::vector{transit};
+  });
+  ASSERT_EQ(honest.report.at("replans").back().at("outcome"), "switched");
+  ASSERT_GT(last, honest.report.at("rounds").get<std::uint32_t>()) << "in flight";
+  ASSERT_EQ(honest.report.at("unaccepted_plans"), 0);
+  std::uint64_t altered = 0;
+  const Edit hardly = [](wire::Representative& sample) { sample.particle()[0] *= 1.0 + 1e-12; };
+  const InProcessResult lied = run_with(scenario, altering(1, 2, last, hardly, altered));
+  ASSERT_EQ(altered, 1U);
+  EXPECT_GT(lied.report.at("unaccepted_plans"), 0);
+  EXPECT_EQ(lied.report.at("first_unaccepted_plan").at("agent"), 2);
+  EXPECT_EQ(lied.report.at("first_unaccepted_plan").at("step"), honest.report.at("replans").back().at("switch_step"));
+}
+
 TEST(AlteredRepresentative, AnyLegalParticleAtAnyTimeEndsInAVerdict) {
   RandomStream random(41, 1, Purpose::Test, 0);
   int runs_changed = 0;

@@ -58,6 +58,7 @@ TEST(Faults, RandomScriptsEndAndEqualTheirReplays) {
     ASSERT_TRUE(!any_lost || run.exit_code == (unsafe ? 1 : 4)) << what;
     const bool unused = run.report.at("reason").get<std::string>().find("never took place") != std::string::npos;
     ASSERT_TRUE(any_lost || run.exit_code == (unused ? 1 : 0)) << what;
+    ASSERT_EQ(run.report.at("unaccepted_plans"), 0) << what;
     const InProcessResult replayed = replay_of(scenario, run);
     ASSERT_EQ(replayed.report.at("state_hash"), run.report.at("state_hash")) << what << replayed.report.dump(2);
     ASSERT_EQ(replayed.report.at("roster_changes"), run.report.at("roster_changes")) << what;

@@ -28,6 +28,7 @@ Json fly(const std::string& name, std::uint64_t seed, const std::vector<Override
 void expect_untouched(const Json& report, std::uint64_t seed) {
   ASSERT_EQ(report.at("collisions"), 0) << seed << ": " << report.at("reason");
   ASSERT_EQ(report.at("rammed_at_rest"), 0) << seed << ": " << report.at("reason");
+  ASSERT_EQ(report.at("unaccepted_plans"), 0) << seed << ": " << report.at("first_unaccepted_plan");
 }
 
 std::set<std::uint32_t> arrival_steps(const Json& report) {

@@ -1,5 +1,7 @@
 // Agents that die and return in a transit, and carriers and radios that lose samples: the run is what its roster says,
 // and those who are left arrive unhurt.
+#include <cstdlib>
+
 #include "simworld/report/report.hpp"
 #include "tests/groundstation/crossings.hpp"
 #include "tests/groundstation/fault_scripts.hpp"
@@ -83,6 +85,45 @@ TEST_P(LossOfAgents, WhoReturnsFliesNoMore) {
   EXPECT_EQ(count_status(faulty.report, "arrived"), hovers ? 4U : 5U) << faulty.report.at("reason");
   EXPECT_EQ(count_status(faulty.report, "deadlock"), hovers ? 1U : 0U) << faulty.report.at("reason");
   EXPECT_EQ(replay_of(scenario, faulty).report.at("state_hash"), faulty.report.at("state_hash"));
+}
+
+/// A scenario that goes on until the radio has had the time to make all maps equal.
+Scenario settling(const std::string& name, std::uint64_t seed, std::vector<Override> changes) {
+  const std::uint32_t steps = settling_steps(transit_scenario(name, seed, changes).mission).value();
+  changes.push_back({"world.extra_steps", std::to_string(steps + 1)});
+  return transit_scenario(name, seed, changes);
+}
+
+TEST_P(LossOfAgents, MapsAreEqualAfterTheLastHealing) {
+  const char* seeds = std::getenv("SKEIN_SEEDS");
+  const std::uint64_t runs = seeds == nullptr ? 8 : std::strtoull(seeds, nullptr, 10);
+  constexpr std::pair<const char*, unsigned> kFlights[] = {{"transit-partition", 25}, {"transit-power-station", 60}};
+  for (const auto& [name, steps] : kFlights) {
+    for (std::uint64_t seed = 0; seed < runs; ++seed) {
+      const Scenario scenario =
+          settling(name, seed, {{"vehicles.on_agent_loss", GetParam()}, {"radio.loss", seed % 2 == 0 ? "0" : "0.1"}});
+      const InProcessResult faulty = run_faulty(scenario, test::random_script(seed, 6, 1, steps));
+      const std::string what = std::string(name) + " " + std::to_string(seed) + ": ";
+      ASSERT_EQ(faulty.report.at("maps_differ"), 0) << what << faulty.report.at("reason");
+      ASSERT_GE(faulty.report.at("maps_due"), 2) << what << faulty.report.at("reason");
+      ASSERT_EQ(faulty.report.at("unaccepted_plans"), 0) << what;
+      ASSERT_EQ(faulty.report.at("radio").at("over_budget"), 0) << what;
+    }
+  }
+}
+
+TEST_P(LossOfAgents, WhoReturnsHasTheSwarmsMapAgain) {
+  // agent 2 is back when it and all others stand still already; what it alone had seen is in the maps of the others
+  const Scenario scenario = settling("transit-partition", 1, {{"vehicles.on_agent_loss", GetParam()}});
+  const std::uint32_t flown =
+      run_in_process(scenario, {}).report.at("steps").get<std::uint32_t>() - scenario.world.extra_steps;
+  const InProcessResult back = run_faulty(
+      scenario, {{FaultKind::Kill, 2, Phase::Flying, flown - 1}, {FaultKind::Restart, 2, Phase::Flying, flown}});
+  ASSERT_EQ(back.report.at("roster_changes").size(), 2U);
+  EXPECT_EQ(back.report.at("maps_due"), 6) << "its own, too";
+  EXPECT_EQ(back.report.at("maps_differ"), 0);
+  EXPECT_EQ(back.report.at("map_equal"), true);
+  EXPECT_EQ(replay_of(scenario, back).report.at("state_hash"), back.report.at("state_hash"));
 }
 
 INSTANTIATE_TEST_SUITE_P(InATransit, LossOfAgents, testing::Values("remove", "hover"),

@@ -152,6 +152,7 @@ inline Beacon beacon() {
   b.pose = {Vec3(1.0, 2.0, 3.0), 4.0, 0.5};
   b.commanded_velocity_mps = Vec3(6.0, 7.0, 8.0);
   b.map_hash = 0x77;
+  b.plan_view = 0x88;
   b.safety_mode = SafetyMode::Controlled;
   b.safety_reason = SafetyReason::Deviation;
   b.deviation_m = 12.5;

@@ -99,6 +99,11 @@ TEST(TransitReport, SaysWhetherTheMapsAreEqual) {
   const Json different = report_of(false);
   EXPECT_EQ(different.at("map_equal"), false);
   EXPECT_TRUE(different.at("map_equal_since_step").is_null());
+  EXPECT_GT(different.at("map_settling_steps"), 2) << "which the run did not last";
+  EXPECT_EQ(different.at("maps_due"), 0);
+  EXPECT_EQ(different.at("maps_differ"), 0);
+  EXPECT_EQ(different.at("unaccepted_plans"), 0);
+  EXPECT_TRUE(different.at("first_unaccepted_plan").is_null());
 }
 
 TEST(TransitReport, OtherMissionsHaveNoRadio) {
@@ -107,7 +112,7 @@ TEST(TransitReport, OtherMissionsHaveNoRadio) {
   Stage stage(scenario);
   stage.session.process_ended(1, 0.0);
   const Json report = make_report(stage.session, scenario, {.carrier = "in-process"});
-  for (const char* key : {"radio", "partitions", "map_equal", "arrived", "total_path_m"}) {
+  for (const char* key : {"radio", "partitions", "map_equal", "maps_due", "arrived", "total_path_m"}) {
     EXPECT_FALSE(report.contains(key)) << key;
   }
 }

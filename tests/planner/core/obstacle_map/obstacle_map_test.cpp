@@ -140,6 +140,7 @@ TEST(ObstacleMap, OneThatCameBackLearnsWhatItKnewAndGoesOn) {
   b.merge(all_of(before, 2, 1));
   ObstacleMap after(kGrid, 2, kIds, 1U << 20);
   after.observe(std::array<CellChange, 1>{{{cell(0, 1), Occupied}}});
+  b.begin_life(2, 1U << 20);
   for (std::uint32_t round = 2; round < 6; ++round) {
     ObstacleMapSample told = all_of(after, 2, round);
     told.incarnation = 2;
@@ -148,9 +149,12 @@ TEST(ObstacleMap, OneThatCameBackLearnsWhatItKnewAndGoesOn) {
     after.merge(heard);
   }
   EXPECT_EQ(b.at(cell(0, 1)), Occupied);
-  // its own former log: b still holds what the new one does not replace, and the map of b shows it
-  EXPECT_EQ(b.at(cell(0, 0)), Occupied);
-  EXPECT_EQ(b.at(cell(9, 8)), Free);
+  for (const ObstacleMap* map : {&b, &after}) {  // of its former log
+    EXPECT_EQ(map->at(cell(0, 0)), Occupied);
+    EXPECT_EQ(map->at(cell(9, 8)), Free);
+  }
+  EXPECT_TRUE(after.same_map(b));
+  EXPECT_EQ(b.seen_of(2), after.seen_of(2)) << "one log, not two";
 }
 
 TEST(ObstacleMap, LeavesOutWhatIsNotOfThisMission) {
