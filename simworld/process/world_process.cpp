@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "idl/process/dds_config.hpp"
+#include "idl/process/network_watch.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "idl/process/turn.hpp"
@@ -65,10 +66,11 @@ class WorldProcess {
     // what is due before the own thread would look again (the next tick of a paced run) is its own to wait for
     const Turn::Service service(turn_, [this] { return serve() && session_.idle_s(steady_now_s()) >= kLook_s; });
     for (double idle_s = 0.0;;) {
-      wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, std::min(idle_s, kLook_s));
+      wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd(), network_.fd()}, std::min(idle_s, kLook_s));
       const auto lock = turn_.own();
       take_signals();
       take_messages();
+      follow_network();
       if (const auto conflict = port_.conflict()) session_.refuse_start(*conflict, steady_now_s());
       if (!serve()) break;
       idle_s = session_.idle_s(steady_now_s());
@@ -137,6 +139,14 @@ class WorldProcess {
       session_.interrupt("the launcher ended", static_cast<int>(ExitCode::Failed), steady_now_s());
   }
 
+  /// A participant of another network would be deaf in this one. The open tick is repeated until it is answered.
+  void follow_network() {
+    const auto change = network_.take();
+    if (!change) return;
+    port_.renew();
+    spdlog::warn("the network changed ({}): DDS participant made anew", *change);
+  }
+
   Scenario scenario_;
   Checkpoint* checkpoint_;
   bool checkpoint_lost_ = false;
@@ -146,6 +156,7 @@ class WorldProcess {
   LauncherControl launcher_;
   std::uint64_t nonce_;
   Turn turn_;
+  NetworkWatch network_;
   bus::DdsWorldPort port_;
   WorldSession session_;
   bool launched_;
