@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 
 #include "groundstation/attach/observed_run.hpp"
 #include "idl/process/dds_config.hpp"
@@ -60,7 +60,7 @@ class Watch {
     const auto change = network_.take();
     if (!change) return false;
     port.renew();
-    spdlog::warn("the network changed ({}): DDS participant made anew", *change);
+    fmt::print(stderr, "the network changed ({}): DDS participant made anew\n", *change);
     return true;
   }
 

@@ -43,33 +43,6 @@ TEST(SessionRun, DoesNotWaitForeverForTheLastAnswers) {
   EXPECT_EQ(stage.session.state(), State::Done);
 }
 
-// Whose participant was made anew just then has not heard it.
-TEST(SessionRun, RepeatsTheLastTickUntilItIsAnswered) {
-  Stage stage(1);
-  (void)stage.start();
-  stage.session.interrupt("ended by signal 2", 130, 0.0);
-  const Tick last = stage.last_tick();
-  stage.at(0.4);
-  EXPECT_TRUE(stage.take_ticks().empty());
-  stage.at(0.5);
-  EXPECT_EQ(stage.last_tick(), last);
-  stage.say(closing(1, last.round, AgentMode::Waiting));
-  stage.at(0.6);
-  EXPECT_EQ(stage.session.state(), State::Done);
-}
-
-TEST(SessionRun, NamesWhoLeavesATickUnanswered) {
-  Stage stage(2);
-  const Tick first = stage.start();
-  stage.say(closing(2, first.round, AgentMode::Ready));
-  stage.at(2.5);
-  EXPECT_TRUE(stage.session.silent_for(2.5, 2.5).empty());
-  EXPECT_EQ(stage.session.silent_for(2.5, 2.6), std::vector<AgentId>{1});
-  stage.say(closing(1, first.round, AgentMode::Ready));
-  stage.at(2.6);
-  EXPECT_TRUE(stage.session.silent_for(2.5, 2.6).empty());
-}
-
 TEST(SessionRun, SensesGoOutBeforeTheTick) {
   Stage stage(2);
   const Tick first = stage.start();
