@@ -12,6 +12,7 @@
 #include "agent/runtime/id_request.hpp"
 #include "idl/process/dds_config.hpp"
 #include "idl/process/id_list.hpp"
+#include "idl/process/network_watch.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "idl/process/turn.hpp"
@@ -152,23 +153,33 @@ bool lacks_world(const AgentArguments& arguments, bool heard, double heard_s) {
   return true;
 }
 
+/// A participant of another network would be deaf in this one.
+void follow_network(NetworkWatch& network, bus::DdsAgentGroup& group) {
+  const auto change = network.take();
+  if (!change) return;
+  group.renew();
+  spdlog::warn("the network changed ({}): DDS participant made anew", *change);
+}
+
 /// The id that the world gives to `nonce`, over a participant that is gone when this returns: who has an id is matched
 /// otherwise. @return the exit code of a process that gets none
 std::variant<AgentId, int> ask_for_id(const AgentArguments& arguments, std::uint64_t nonce,
                                       const SignalWatch& signals) {
   const std::vector<AgentId> nobody{kWorldId};
+  NetworkWatch network;
   bus::DdsAgentGroup group(dds_config(arguments.common, kWorldId, random_id()), nobody);
   IdRequest request(nonce, group.port(0), steady_now_s());
   spdlog::info("an agent without id asks swarm {} in domain {} for one", swarm_of(arguments.common),
                arguments.common.domain);
   for (double idle_s = 0.0;;) {
-    wait_readable({group.wake_fd(), signals.fd()}, idle_s);
+    wait_readable({group.wake_fd(), signals.fd(), network.fd()}, idle_s);
     if (const auto signal = signals.take()) {
       request.leave(steady_now_s());
       spdlog::info("ended by signal {}{}, without an id", *signal,
                    group.flush(std::chrono::milliseconds(500)) ? "" : ", unheard");
       return 128 + *signal;
     }
+    follow_network(network, group);
     if (const auto conflict = group.conflict()) {
       spdlog::error("{}", *conflict);
       return kStartUp;
@@ -193,6 +204,7 @@ int serve(AgentArguments arguments) {
     arguments.ids = {std::get<AgentId>(given)};
   }
   Turn turn;
+  NetworkWatch network;
   bus::DdsAgentGroup group(dds_config(arguments.common, arguments.ids.front(), nonce), arguments.ids,
                            [&turn] { return turn.take(); });
   Sessions sessions(arguments.ids, nonce, group, steady_now_s());
@@ -206,13 +218,14 @@ int serve(AgentArguments arguments) {
   };
   const Turn::Service service(turn, serve_sessions);
   for (double idle_s = 0.0;;) {
-    wait_readable({group.wake_fd(), signals.fd()}, std::min(idle_s, kLook_s));
+    wait_readable({group.wake_fd(), signals.fd(), network.fd()}, std::min(idle_s, kLook_s));
     const auto lock = turn.own();
     if (const auto signal = signals.take()) {
       sessions.leave(steady_now_s());
       sessions.log_signal(*signal, group.flush(std::chrono::milliseconds(500)));
       return 128 + *signal;
     }
+    follow_network(network, group);
     if (const auto conflict = group.conflict()) {
       spdlog::error("{}", *conflict);
       return kStartUp;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 
 #include "groundstation/attach/observed_run.hpp"
 #include "idl/process/dds_config.hpp"
+#include "idl/process/network_watch.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 
@@ -45,21 +47,32 @@ class Watch {
  private:
   /// Sleeps until there is something to do, `limit_s` at most. @return whether a signal ended the watch
   bool wait(int fd, double limit_s) {
-    wait_readable({fd, signals_.fd()}, std::max(0.0, limit_s));
+    wait_readable({fd, signals_.fd(), network_.fd()}, std::max(0.0, limit_s));
     if (const auto signal = signals_.take()) {
       ended_ = without_result(128 + *signal, fmt::format("ended by {}", *signal == SIGINT ? "SIGINT" : "SIGTERM"));
     }
     return ended_.has_value();
   }
 
+  /// A participant of another network would be deaf in this one. @return whether there was one to be made anew
+  template <typename Port>
+  bool follow_network(Port& port) {
+    const auto change = network_.take();
+    if (!change) return false;
+    port.renew();
+    fmt::print(stderr, "the network changed ({}): DDS participant made anew\n", *change);
+    return true;
+  }
+
   /// All of them, once the first was heard.
   std::vector<std::string> find_swarms() {
-    const bus::DdsSwarmFinder finder(dds_config(flags_, kWorldId, random_id()));
+    bus::DdsSwarmFinder finder(dds_config(flags_, kWorldId, random_id()));
     const double start_s = steady_now_s();
     double until_s = start_s + flags_.startup_timeout_s;
     std::vector<std::string> swarms;
     while (steady_now_s() < until_s) {
       if (wait(finder.wake_fd(), until_s - steady_now_s())) return {};
+      follow_network(finder);
       const bool first = swarms.empty();
       swarms = finder.swarms();
       if (first && !swarms.empty()) until_s = std::min(until_s, steady_now_s() + kHearAll_s);
@@ -94,6 +107,10 @@ class Watch {
       const double left_s = heard_s + limit_s - steady_now_s();
       if (left_s <= 0.0) return silence(flags, gone, run.heard_tick(), limit_s);
       if (wait(port.wake_fd(), left_s)) return *ended_;
+      if (follow_network(port)) {  // nobody is known to the new one, nor gone
+        has_world = had_world = false;
+        heard_s = steady_now_s();
+      }
       arrived.clear();
       port.take(arrived);
       for (const bus::ObserverInbound& sample : arrived) {
@@ -116,6 +133,7 @@ class Watch {
   const CommonFlags& flags_;
   const std::function<void(const nlohmann::json&)>& show_;
   SignalWatch signals_;
+  NetworkWatch network_;
   std::optional<Attached> ended_;
 };
 

@@ -37,9 +37,40 @@ std::vector<std::string> partitions_of(const std::string& swarm, std::span<const
   return partitions;
 }
 
+// Members end in the opposite order: endpoints, then the participant.
+struct Endpoints {
+  Endpoints(const DdsConfig& config, std::span<const AgentId> ids, PeerBook& book, const Wake& wake,
+            Inbox<AgentInbound>& inbox)
+      : participant(config, partitions_of(config.swarm, ids), book, wake),
+        publisher(participant.publisher(config.swarm)),
+        subscriber(participant.subscriber({config.swarm})),
+        own_subscriber(participant.subscriber(sense_partitions(config.swarm, ids))),
+        mission(participant, subscriber, book, wake, inbox, Ring::Now),
+        tick(participant, subscriber, book, wake, inbox, Ring::Now),
+        sense(participant, own_subscriber, book, wake, inbox, Ring::Counted),
+        representative_in(participant, subscriber, book, wake, inbox, Ring::Counted),
+        representative_out(participant, publisher, book, wake),
+        map_in(participant, subscriber, book, wake, inbox, Ring::Counted),
+        map_out(participant, publisher, book, wake),
+        beacon(participant, publisher, book, wake) {}
+
+  Participant participant;
+  fdds::Publisher* publisher;
+  fdds::Subscriber* subscriber;
+  fdds::Subscriber* own_subscriber;
+  Reader<wire::Mission, AgentInbound> mission;
+  Reader<wire::Tick, AgentInbound> tick;
+  Reader<wire::Sense, AgentInbound> sense;
+  Reader<wire::Representative, AgentInbound> representative_in;
+  Writer<wire::Representative> representative_out;
+  Reader<wire::ObstacleMap, AgentInbound> map_in;
+  Writer<wire::ObstacleMap> map_out;
+  Writer<wire::Beacon> beacon;
+};
+
 }  // namespace
 
-// Members end in the opposite order: endpoints, then the participant, then what its listeners use.
+// Members end in the opposite order: what is on the bus, then what its listeners use.
 struct DdsAgentGroup::Impl {
   /// One agent's port.
   class Member final : public AgentPort {
@@ -60,29 +91,24 @@ struct DdsAgentGroup::Impl {
     std::size_t wake_after_ = 0;
   };
 
-  Impl(const DdsConfig& config, std::span<const AgentId> ids, Delivery delivery)
-      : wake(std::move(delivery)),
-        book(self(config, ids)),
-        participant(config, partitions_of(config.swarm, ids), book, wake),
-        publisher(participant.publisher(config.swarm)),
-        subscriber(participant.subscriber({config.swarm})),
-        own_subscriber(participant.subscriber(sense_partitions(config.swarm, ids))),
-        mission(participant, subscriber, book, wake, inbox, Ring::Now),
-        tick(participant, subscriber, book, wake, inbox, Ring::Now),
-        sense(participant, own_subscriber, book, wake, inbox, Ring::Counted),
-        representative_in(participant, subscriber, book, wake, inbox, Ring::Counted),
-        representative_out(participant, publisher, book, wake),
-        map_in(participant, subscriber, book, wake, inbox, Ring::Counted),
-        map_out(participant, publisher, book, wake),
-        beacon(participant, publisher, book, wake) {
+  Impl(const DdsConfig& own_config, std::span<const AgentId> own_ids, Delivery delivery)
+      : config(own_config), ids(own_ids.begin(), own_ids.end()), wake(std::move(delivery)), book(self(config, ids)) {
+    bus.emplace(config, ids, book, wake, inbox);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       members.push_back(std::make_unique<Member>(*this, ids[i], config.nonce + i));
     }
   }
 
-  bool write(const wire::Beacon& sample) { return beacon.write(sample); }
-  bool write(const wire::Representative& sample) { return representative_out.write(sample); }
-  bool write(const wire::ObstacleMap& sample) { return map_out.write(sample); }
+  void renew() {
+    bus.reset();
+    book.renew();
+    bus.emplace(config, ids, book, wake, inbox);
+    wake.ring();
+  }
+
+  bool write(const wire::Beacon& sample) { return bus->beacon.write(sample); }
+  bool write(const wire::Representative& sample) { return bus->representative_out.write(sample); }
+  bool write(const wire::ObstacleMap& sample) { return bus->map_out.write(sample); }
 
   void publish(const Member& from, const AgentOutbound& sample) {
     const bool accepted = std::visit([this](const auto& held) { return write(held); }, sample);
@@ -148,6 +174,8 @@ struct DdsAgentGroup::Impl {
     return nonces;
   }
 
+  const DdsConfig config;
+  const std::vector<AgentId> ids;
   Wake wake;
   PeerBook book;
   Inbox<AgentInbound> inbox{kInboxBound, wake};
@@ -155,18 +183,7 @@ struct DdsAgentGroup::Impl {
   std::uint64_t overflowed = 0;  ///< of a port whose owner does not take
   std::vector<std::unique_ptr<Member>> members;
   std::vector<AgentInbound> arrived;
-  Participant participant;
-  fdds::Publisher* publisher;
-  fdds::Subscriber* subscriber;
-  fdds::Subscriber* own_subscriber;
-  Reader<wire::Mission, AgentInbound> mission;
-  Reader<wire::Tick, AgentInbound> tick;
-  Reader<wire::Sense, AgentInbound> sense;
-  Reader<wire::Representative, AgentInbound> representative_in;
-  Writer<wire::Representative> representative_out;
-  Reader<wire::ObstacleMap, AgentInbound> map_in;
-  Writer<wire::ObstacleMap> map_out;
-  Writer<wire::Beacon> beacon;
+  std::optional<Endpoints> bus;
 };
 
 DdsAgentGroup::DdsAgentGroup(const DdsConfig& config, std::span<const AgentId> ids, std::function<bool()> delivery)
@@ -181,14 +198,18 @@ void DdsAgentGroup::receive() {
   if (impl_->members.size() > 1) impl_->receive();
 }
 
+void DdsAgentGroup::renew() {
+  impl_->renew();
+}
+
 int DdsAgentGroup::wake_fd() const {
   return impl_->wake.fd();
 }
 
 bool DdsAgentGroup::flush(std::chrono::milliseconds limit) {
   const Deadline deadline(limit);
-  return impl_->representative_out.flush(deadline.left_s()) && impl_->map_out.flush(deadline.left_s()) &&
-         impl_->beacon.flush(deadline.left_s());
+  return impl_->bus->representative_out.flush(deadline.left_s()) && impl_->bus->map_out.flush(deadline.left_s()) &&
+         impl_->bus->beacon.flush(deadline.left_s());
 }
 
 std::optional<std::string> DdsAgentGroup::conflict() const {

@@ -17,21 +17,15 @@ DdsConfig as_anybody(DdsConfig config) {
   return config;
 }
 
-}  // namespace
-
-// Members end in the opposite order: endpoints, then the participant, then what its listeners use.
-struct DdsObserverPort::Impl {
-  explicit Impl(const DdsConfig& config)
-      : book(self(config)),
-        participant(config, {config.swarm}, book, wake),
+// Members end in the opposite order: endpoints, then the participant.
+struct Endpoints {
+  Endpoints(const DdsConfig& config, PeerBook& book, const Wake& wake, Inbox<ObserverInbound>& inbox)
+      : participant(config, {config.swarm}, book, wake),
         subscriber(participant.subscriber({config.swarm})),
         mission(participant, subscriber, book, wake, inbox, Ring::Now),
         tick(participant, subscriber, book, wake, inbox, Ring::Now),
         beacon(participant, subscriber, book, wake, inbox, Ring::Silent) {}
 
-  Wake wake;
-  PeerBook book;
-  Inbox<ObserverInbound> inbox{kInboxBound, wake};
   Participant participant;
   fdds::Subscriber* subscriber;
   Reader<wire::Mission, ObserverInbound> mission;
@@ -39,11 +33,33 @@ struct DdsObserverPort::Impl {
   Reader<wire::Beacon, ObserverInbound> beacon;
 };
 
+}  // namespace
+
+// Members end in the opposite order: what is on the bus, then what its listeners use.
+struct DdsObserverPort::Impl {
+  explicit Impl(const DdsConfig& own_config) : config(own_config), book(self(config)) {
+    bus.emplace(config, book, wake, inbox);
+  }
+
+  const DdsConfig config;
+  Wake wake;
+  PeerBook book;
+  Inbox<ObserverInbound> inbox{kInboxBound, wake};
+  std::optional<Endpoints> bus;
+};
+
 DdsObserverPort::DdsObserverPort(const DdsConfig& config) : impl_(std::make_unique<Impl>(config)) {}
 DdsObserverPort::~DdsObserverPort() = default;
 
 void DdsObserverPort::take(std::vector<ObserverInbound>& into) {
   impl_->inbox.drain(into);
+}
+
+void DdsObserverPort::renew() {
+  impl_->bus.reset();
+  impl_->book.renew();
+  impl_->bus.emplace(impl_->config, impl_->book, impl_->wake, impl_->inbox);
+  impl_->wake.ring();
 }
 
 int DdsObserverPort::wake_fd() const {
@@ -55,11 +71,13 @@ bool DdsObserverPort::has_world() const {
 }
 
 struct DdsSwarmFinder::Impl {
-  explicit Impl(const DdsConfig& config) : book(self(config)), participant(config, {}, book, wake) {}
+  explicit Impl(const DdsConfig& own_config) : config(own_config), book(self(config)) { join(); }
+  void join() { participant.emplace(config, std::vector<std::string>(), book, wake); }
 
+  const DdsConfig config;
   Wake wake;
   PeerBook book;
-  Participant participant;
+  std::optional<Participant> participant;
 };
 
 DdsSwarmFinder::DdsSwarmFinder(DdsConfig config) : impl_(std::make_unique<Impl>(as_anybody(std::move(config)))) {}
@@ -68,6 +86,12 @@ DdsSwarmFinder::~DdsSwarmFinder() = default;
 std::vector<std::string> DdsSwarmFinder::swarms() const {
   impl_->wake.clear();
   return impl_->book.swarms(false);
+}
+
+void DdsSwarmFinder::renew() {
+  impl_->participant.reset();
+  impl_->book.renew();
+  impl_->join();
 }
 
 int DdsSwarmFinder::wake_fd() const {

@@ -24,6 +24,8 @@ class DdsObserverPort {
 
   /// Moves everything that has arrived to the end of `into`; returns at once.
   void take(std::vector<ObserverInbound>& into);
+  /// As DdsAgentGroup::renew(); has_world() is false until the world is found again.
+  void renew();
   /// Readable when something arrived or a process came or went since the last take().
   [[nodiscard]] int wake_fd() const;
   /// Whether a world of the swarm is there.
@@ -45,6 +47,8 @@ class DdsSwarmFinder {
 
   /// Those heard so far, ascending.
   [[nodiscard]] std::vector<std::string> swarms() const;
+  /// As DdsAgentGroup::renew(): hears anew.
+  void renew();
   /// Readable when a process came or went since the last call of swarms().
   [[nodiscard]] int wake_fd() const;
 

@@ -6,6 +6,12 @@
 // alone by default, with nothing in /dev/shm; Profile::Shm adds shared memory. Block the signals that a process handles
 // before it makes a port: the threads of DDS inherit the mask. A port is used by one thread at a time; conflict(),
 // matched() and wake_fd() may be asked from any.
+//
+// A participant of Fast DDS 2.9.1 whose network was disconnected and connected again is deaf: its memberships in the
+// multicast groups went with the interface, its locators may be another's. renew() makes it anew under the same port:
+// what had arrived stays, nonce and run stay, endpoints are new, and USER_DATA says how often that was
+// (PeerInfo::renewals), so that the others take the new participant for the same process. What was under way is lost,
+// for the lockstep to repeat; what is latched is published again.
 #pragma once
 
 #include <chrono>
@@ -60,6 +66,9 @@ class DdsAgentGroup {
 
   /// Hands what arrived to the ports, which is then theirs to take(): call it once before all of them take.
   void receive();
+  /// Leaves the bus and joins it with a new participant (above); nobody is matched yet. @throws std::runtime_error if
+  /// DDS cannot make one: then the group can only be destroyed.
+  void renew();
   /// Readable when something arrived for any port or a match changed since the last receive().
   [[nodiscard]] int wake_fd() const;
   /// Waits until every matched reader has acknowledged everything; false if that took longer than `limit`.
@@ -86,6 +95,7 @@ class DdsAgentPort final : public AgentPort {
   void wake_after(std::size_t samples) override;
   [[nodiscard]] std::vector<std::uint64_t> matched() const override;
 
+  void renew() { group_.renew(); }
   [[nodiscard]] int wake_fd() const { return group_.wake_fd(); }
   [[nodiscard]] bool flush(std::chrono::milliseconds limit) { return group_.flush(limit); }
   [[nodiscard]] std::optional<std::string> conflict() const { return group_.conflict(); }
@@ -107,6 +117,8 @@ class DdsWorldPort final : public WorldPort {
   void wake_after(std::size_t beacons) override;
   [[nodiscard]] std::vector<std::uint64_t> matched() const override;
 
+  /// As DdsAgentGroup::renew(); the mission that was published last is published again.
+  void renew();
   [[nodiscard]] int wake_fd() const;
   [[nodiscard]] bool flush(std::chrono::milliseconds limit);
   /// Whether an observer reads the ticks: best effort, so that it may miss one.

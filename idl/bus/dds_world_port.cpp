@@ -20,14 +20,11 @@ std::vector<std::string> partitions_of(const DdsConfig& config, std::span<const 
   return partitions;
 }
 
-}  // namespace
-
-// Members end in the opposite order: endpoints, then the participant, then what its listeners use.
-struct DdsWorldPort::Impl {
-  Impl(const DdsConfig& config, std::span<const AgentId> agents, Delivery delivery)
-      : wake(std::move(delivery)),
-        book(self(config)),
-        participant(config, partitions_of(config, agents), book, wake),
+// Members end in the opposite order: endpoints, then the participant.
+struct Endpoints {
+  Endpoints(const DdsConfig& config, std::span<const AgentId> agents, PeerBook& book, const Wake& wake,
+            Inbox<WorldInbound>& inbox)
+      : participant(config, partitions_of(config, agents), book, wake),
         publisher(participant.publisher(config.swarm)),
         subscriber(participant.subscriber({config.swarm})),
         beacon(participant, subscriber, book, wake, inbox, Ring::Counted),
@@ -46,19 +43,6 @@ struct DdsWorldPort::Impl {
     }
   }
 
-  bool write(const wire::Mission& sample) { return mission.write(sample); }
-  bool write(const wire::Tick& sample) { return tick.write(sample); }
-  bool write(const wire::Representative& sample) { return representative_out.write(sample); }
-  bool write(const wire::ObstacleMap& sample) { return map_out.write(sample); }
-  bool write(const wire::Sense& sample) {
-    const auto writer = sense.find(sample.agent());
-    return writer != sense.end() && writer->second.write(sample);
-  }
-
-  Wake wake;
-  PeerBook book;
-  Inbox<WorldInbound> inbox{kInboxBound, wake};
-  std::uint64_t refused_by_dds = 0;
   Participant participant;
   fdds::Publisher* publisher;
   fdds::Subscriber* subscriber;
@@ -70,6 +54,48 @@ struct DdsWorldPort::Impl {
   Writer<wire::Mission> mission;
   Writer<wire::Tick> tick;
   std::map<AgentId, Writer<wire::Sense>> sense;
+};
+
+}  // namespace
+
+// Members end in the opposite order: what is on the bus, then what its listeners use.
+struct DdsWorldPort::Impl {
+  Impl(const DdsConfig& own_config, std::span<const AgentId> own_agents, Delivery delivery)
+      : config(own_config),
+        agents(own_agents.begin(), own_agents.end()),
+        wake(std::move(delivery)),
+        book(self(config)) {
+    bus.emplace(config, agents, book, wake, inbox);
+  }
+
+  void renew() {
+    bus.reset();
+    book.renew();
+    bus.emplace(config, agents, book, wake, inbox);
+    if (latched && !bus->mission.write(*latched)) ++refused_by_dds;
+    wake.ring();
+  }
+
+  bool write(const wire::Mission& sample) {
+    latched = sample;
+    return bus->mission.write(sample);
+  }
+  bool write(const wire::Tick& sample) { return bus->tick.write(sample); }
+  bool write(const wire::Representative& sample) { return bus->representative_out.write(sample); }
+  bool write(const wire::ObstacleMap& sample) { return bus->map_out.write(sample); }
+  bool write(const wire::Sense& sample) {
+    const auto writer = bus->sense.find(sample.agent());
+    return writer != bus->sense.end() && writer->second.write(sample);
+  }
+
+  const DdsConfig config;
+  const std::vector<AgentId> agents;
+  Wake wake;
+  PeerBook book;
+  Inbox<WorldInbound> inbox{kInboxBound, wake};
+  std::uint64_t refused_by_dds = 0;
+  std::optional<wire::Mission> latched;  ///< as published last
+  std::optional<Endpoints> bus;
 };
 
 DdsWorldPort::DdsWorldPort(const DdsConfig& config, std::span<const AgentId> agents, std::function<bool()> delivery)
@@ -93,17 +119,22 @@ std::vector<std::uint64_t> DdsWorldPort::matched() const {
   return impl_->book.matched_nonces(monotonic_s());
 }
 
+void DdsWorldPort::renew() {
+  impl_->renew();
+}
+
 int DdsWorldPort::wake_fd() const {
   return impl_->wake.fd();
 }
 
 bool DdsWorldPort::flush(std::chrono::milliseconds limit) {
   const Deadline deadline(limit);
-  for (auto& [agent, writer] : impl_->sense) {
+  Endpoints& bus = *impl_->bus;
+  for (auto& [agent, writer] : bus.sense) {
     if (!writer.flush(deadline.left_s())) return false;
   }
-  return impl_->mission.flush(deadline.left_s()) && impl_->tick.flush(deadline.left_s()) &&
-         impl_->representative_out.flush(deadline.left_s()) && impl_->map_out.flush(deadline.left_s());
+  return bus.mission.flush(deadline.left_s()) && bus.tick.flush(deadline.left_s()) &&
+         bus.representative_out.flush(deadline.left_s()) && bus.map_out.flush(deadline.left_s());
 }
 
 bool DdsWorldPort::observed() const {

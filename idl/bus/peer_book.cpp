@@ -56,6 +56,22 @@ void PeerBook::matched(const ProcessKey& process, std::uint16_t endpoint) {
   }
 }
 
+void PeerBook::renew() {
+  const std::lock_guard lock(mutex_);
+  peers_.clear();
+  ++own_.renewals;
+}
+
+std::map<std::uint64_t, const PeerBook::Peer*> PeerBook::newest() const {
+  std::map<std::uint64_t, const Peer*> newest;
+  for (const auto& [process, peer] : peers_) {
+    if (!peer.info || peer.info->nonce == own_.nonce) continue;
+    const auto [known, first] = newest.emplace(peer.info->nonce, &peer);
+    if (!first && known->second->info->renewals < peer.info->renewals) known->second = &peer;
+  }
+  return newest;
+}
+
 bool PeerBook::complete(const Peer& peer, double now_s) const {
   const std::uint16_t expected = expected_matches(own_.role, peer.info->role);
   const std::uint32_t members = own_.role == Role::Agent ? own_.members : peer.info->members;
@@ -74,10 +90,10 @@ bool PeerBook::complete(const Peer& peer, double now_s) const {
 std::vector<std::uint64_t> PeerBook::matched_nonces(double now_s) const {
   std::vector<std::uint64_t> nonces;
   const std::lock_guard lock(mutex_);
-  for (const auto& [process, peer] : peers_) {
-    if (!peer.info || !is_counted(own_.role, peer.info->role) || peer.info->swarm != own_.swarm) continue;
-    if (!complete(peer, now_s)) continue;
-    for (std::uint32_t member = 0; member < peer.info->members; ++member) nonces.push_back(peer.info->nonce + member);
+  for (const auto& [nonce, peer] : newest()) {
+    if (!is_counted(own_.role, peer->info->role) || peer->info->swarm != own_.swarm) continue;
+    if (!complete(*peer, now_s)) continue;
+    for (std::uint32_t member = 0; member < peer->info->members; ++member) nonces.push_back(nonce + member);
   }
   std::ranges::sort(nonces);
   return nonces;
@@ -95,9 +111,9 @@ bool PeerBook::observed() const {
 
 std::optional<std::string> PeerBook::conflict() const {
   const std::lock_guard lock(mutex_);
-  for (const auto& [process, peer] : peers_) {
-    if (!peer.info || peer.info->role != Role::World || peer.info->swarm != own_.swarm) continue;
-    if (auto text = conflict_between(own_, *peer.info)) return text;
+  for (const auto& [nonce, peer] : newest()) {
+    if (peer->info->role != Role::World || peer->info->swarm != own_.swarm) continue;
+    if (auto text = conflict_between(own_, *peer->info)) return text;
   }
   return std::nullopt;
 }

@@ -6,8 +6,11 @@
 // several threads with one status that all of them write, so of two endpoints matched at the same moment one may be
 // named twice and the other never. Hence endpoints that exist also count as matched when kSettled_s have passed: the
 // thread that finds one matches it at once, and names it or not.
+// A process whose network changed comes back with another participant under its nonce, while the old one lingers until
+// its lease ends: of the participants of one nonce the one that was made anew most often is the process, and what
+// becomes of the others means nothing. So are those of this process's own nonce.
 // Fed by the listeners of the DDS bus, read by the owner of the port; safe from any thread.
-// Complexity: O(processes) a question, O(log processes) a notice.
+// Complexity: O(processes log processes) a question, O(log processes) a notice.
 #pragma once
 
 #include <array>
@@ -44,6 +47,10 @@ class PeerBook {
   /// DDS says that an endpoint of this process was matched in that process.
   void matched(const ProcessKey& process, std::uint16_t endpoint);
 
+  /// This process makes its participant anew: nobody is known to the new one, and it says so (PeerInfo::renewals). To
+  /// be called when the old participant is gone, by the thread that makes the new one.
+  void renew();
+
   /// Nonces, ascending, of the agents and (for an agent) the world whose process's endpoints are all matched with this
   /// process's. @param now_s of the same steady clock as in found()
   [[nodiscard]] std::vector<std::uint64_t> matched_nonces(double now_s) const;
@@ -69,6 +76,8 @@ class PeerBook {
     double found_s = 0.0;                                   ///< when the last one was found
   };
   [[nodiscard]] bool complete(const Peer& peer, double now_s) const;
+  /// Those that say who they are, by nonce: of each process its newest participant, without this process's own.
+  [[nodiscard]] std::map<std::uint64_t, const Peer*> newest() const;
 
   PeerInfo own_;
   mutable std::mutex mutex_;

@@ -45,6 +45,7 @@ std::string to_text(const PeerInfo& info) {
   text.append(" start=").append(std::to_string(info.start_stamp_ns));
   if (info.members != 1) text.append(" members=").append(std::to_string(info.members));
   if (info.run != 0) text.append(" run=").append(std::to_string(info.run));
+  if (info.renewals != 0) text.append(" renewals=").append(std::to_string(info.renewals));
   return text;
 }
 
@@ -75,6 +76,8 @@ std::optional<PeerInfo> peer_info_from(std::string_view text) {
       good = read(value, info.members) && info.members >= 1 && info.members <= kMaxAgents;
     } else if (key == "run") {
       good = read(value, info.run);
+    } else if (key == "renewals") {
+      good = read(value, info.renewals);
     }
     if (!good) return std::nullopt;
   }

@@ -4,7 +4,8 @@
 // unknown ones are skipped, so that a later version may add some.
 // A process that holds several agents says " members=8" as well; `id` is its lowest agent, and its agents have the
 // nonces `nonce`, `nonce` + 1 and so on, by ascending id. A world says " run=42" as well: one that goes on with a run
-// whose world has died has the same.
+// whose world has died has the same. A process whose participant was made anew says " renewals=1", 2 and so on: its
+// participants before that may linger until their lease ends.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,9 @@ struct PeerInfo {
   std::uint64_t nonce = 0;
   std::uint32_t wire_version = wire::kWireVersion;
   std::int64_t start_stamp_ns = 0;
-  std::uint32_t members = 1;  ///< agents in the process
-  std::uint64_t run = 0;      ///< of a world; 0: it does not say
+  std::uint32_t members = 1;   ///< agents in the process
+  std::uint64_t run = 0;       ///< of a world; 0: it does not say
+  std::uint32_t renewals = 0;  ///< how often the process made its participant anew
 
   bool operator==(const PeerInfo&) const = default;
 };

@@ -155,12 +155,21 @@ void WorldSession::poll_running(double now_s) {
 }
 
 void WorldSession::poll_closing(double now_s) {
-  if (barrier_.complete() || now_s - times_.finished_s > kGoodbye_s) state_ = State::Done;
+  if (barrier_.complete() || now_s - times_.finished_s > kGoodbye_s) {
+    state_ = State::Done;
+  } else if (now_s - last_sent_s_ >= kWaitingTick_s) {
+    repeat_tick(now_s);
+  }
 }
 
 void WorldSession::drop_silent(double now_s) {
   if (interventions_.holding() || now_s - barrier_.opened_s() - away_s_ < deadline_s_) return;
   for (const AgentId agent : barrier_.waiting_for()) add_loss(agent, LossReason::Deadline);
+}
+
+std::vector<AgentId> WorldSession::silent_for(double seconds, double now_s) const {
+  if (state_ != State::Running || interventions_.holding() || now_s - barrier_.opened_s() <= seconds) return {};
+  return barrier_.waiting_for();
 }
 
 bool WorldSession::is_live(AgentId agent) const {

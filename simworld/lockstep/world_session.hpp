@@ -80,6 +80,8 @@ class WorldSession {
   [[nodiscard]] Outcome outcome() const;
   [[nodiscard]] const Run& run() const { return run_; }
   [[nodiscard]] std::size_t introduced() const { return admission_.introduced(); }
+  /// Who has left the open tick unanswered for longer than that.
+  [[nodiscard]] std::vector<AgentId> silent_for(double seconds, double now_s) const;
   [[nodiscard]] std::size_t matched() const { return admission_.matched(world_matched_); }
   [[nodiscard]] const TopicCounts& topics() const { return topics_; }
   [[nodiscard]] const PhaseTimes& times() const { return times_; }

@@ -1,6 +1,7 @@
 #include "simworld/process/world_process.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <iostream>
 
 #include "idl/process/dds_config.hpp"
+#include "idl/process/network_watch.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "idl/process/turn.hpp"
@@ -34,7 +36,8 @@ class LauncherControl final : public ProcessControl {
   ControlChannel& channel_;
 };
 
-constexpr double kLook_s = 0.25;  ///< at most, between two looks at what may be due: others serve meanwhile
+constexpr double kSilence_s = 2.5;  ///< a tick is repeated every second
+constexpr double kLook_s = 0.25;    ///< at most, between two looks at what may be due: others serve meanwhile
 
 // The last tick says how the run ended, and observers read best effort: they get it again.
 constexpr int kLastTicks = 3;
@@ -65,10 +68,11 @@ class WorldProcess {
     // what is due before the own thread would look again (the next tick of a paced run) is its own to wait for
     const Turn::Service service(turn_, [this] { return serve() && session_.idle_s(steady_now_s()) >= kLook_s; });
     for (double idle_s = 0.0;;) {
-      wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd()}, std::min(idle_s, kLook_s));
+      wait_readable({port_.wake_fd(), signals_.fd(), channel_.fd(), network_.fd()}, std::min(idle_s, kLook_s));
       const auto lock = turn_.own();
       take_signals();
       take_messages();
+      follow_network();
       if (const auto conflict = port_.conflict()) session_.refuse_start(*conflict, steady_now_s());
       if (!serve()) break;
       idle_s = session_.idle_s(steady_now_s());
@@ -93,7 +97,23 @@ class WorldProcess {
       spdlog::error("the run goes on without its checkpoint: {}", checkpoint_->failure());
     }
     progress_.show(session_, steady_now_s());
+    log_silence(steady_now_s());
     return session_.state() != WorldSession::State::Done;
+  }
+
+  /// Says once of a tick that it is unanswered, and by whom, and once that the run goes on.
+  void log_silence(double now_s) {
+    const std::uint32_t round = session_.run().rounds();
+    if (silent_round_ && *silent_round_ != round) {
+      spdlog::info("goes on at round {}, step {}", round, session_.run().step());
+      silent_round_.reset();
+    }
+    if (silent_round_) return;
+    const std::vector<AgentId> silent = session_.silent_for(kSilence_s, now_s);
+    if (silent.empty()) return;
+    spdlog::warn("no answer for {} s from {} {}, holding at round {}, step {}", kSilence_s,
+                 silent.size() == 1 ? "agent" : "agents", fmt::join(silent, ", "), round, session_.run().step());
+    silent_round_ = round;
   }
 
   [[nodiscard]] SessionOptions session_options(const WorldArguments& arguments) const {
@@ -137,15 +157,25 @@ class WorldProcess {
       session_.interrupt("the launcher ended", static_cast<int>(ExitCode::Failed), steady_now_s());
   }
 
+  /// A participant of another network would be deaf in this one. The open tick is repeated until it is answered.
+  void follow_network() {
+    const auto change = network_.take();
+    if (!change || session_.state() == WorldSession::State::Closing) return;  // the last samples are under way
+    port_.renew();
+    spdlog::warn("the network changed ({}): DDS participant made anew", *change);
+  }
+
   Scenario scenario_;
   Checkpoint* checkpoint_;
   bool checkpoint_lost_ = false;
+  std::optional<std::uint32_t> silent_round_;  ///< the open one, if somebody has left it unanswered
   std::uint64_t run_id_;
   SignalWatch signals_;
   ControlChannel channel_;
   LauncherControl launcher_;
   std::uint64_t nonce_;
   Turn turn_;
+  NetworkWatch network_;
   bus::DdsWorldPort port_;
   WorldSession session_;
   bool launched_;

@@ -1,9 +1,10 @@
 """What the test cases share: the engine and the image of the suite, checks of a run, and the table of what happened."""
 
+import time
 import unittest
 from dataclasses import dataclass
 
-from swarm import Swarm
+from swarm import Swarm, until
 
 
 @dataclass
@@ -53,6 +54,12 @@ class ContainerCase(unittest.TestCase):
             with swarm as alone:
                 Suite.references[key] = alone.in_process()
         return Suite.references[key]
+
+    def goes_on_for(self, world, seconds):
+        """The world is still there when so much time has passed."""
+        end_s = time.monotonic() + seconds
+        until(lambda: time.monotonic() >= end_s, seconds + 1.0, "the clock goes on")
+        self.assertTrue(world.running(), world.log()[-3000:])
 
     def assert_undisturbed(self, world, swarm, mission, limit_s=120):
         """The run ends well, with the state hash of the run in one process, and every agent ends with 0."""

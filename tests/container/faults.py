@@ -42,6 +42,39 @@ def link_down(container):
         _inside(container, "ip", "link", "set", "eth0", "up")
 
 
+@contextlib.contextmanager
+def disconnected(swarm, *containers):
+    """The containers are not in the swarm's network; afterwards each gets another interface, maybe another address."""
+    for container in containers:
+        container.engine.run("network", "disconnect", swarm.mark, container.name)
+    try:
+        yield
+    finally:
+        for container in containers:
+            if container.running():
+                container.engine.run("network", "connect", swarm.mark, container.name)
+
+
+def has_network(container):
+    """Whether the container has an interface besides loopback."""
+    return any(not line.startswith("lo ") for line in _inside(container, "ip", "-br", "link").splitlines())
+
+
+@contextlib.contextmanager
+def partition(left, right):
+    """No packet goes from one half to the other, neither way."""
+    rules = [(container, ["INPUT", "-s", other.address(), "-j", "DROP"])
+             for here, there in ((left, right), (right, left)) for container in here for other in there]
+    for container, rule in rules:
+        _inside(container, "iptables", "-w", "-A", *rule)
+    try:
+        yield
+    finally:
+        for container, rule in rules:
+            if container.running():
+                _inside(container, "iptables", "-w", "-D", *rule)
+
+
 def lose(container, probability):
     """From now on each packet that arrives at the container is lost with this probability."""
     _inside(container, "iptables", "-w", "-A", "INPUT", "-i", "eth0", "-m", "statistic", "--mode", "random",

@@ -17,7 +17,8 @@ from engine import Engine
 from image import ensure_base, ensure_image
 from swarm import LABEL
 
-_MODULES = ("whole_runs_test", "deaths_test", "network_test", "machine_test", "compose_test")
+_MODULES = ("whole_runs_test", "deaths_test", "network_test", "reconnect_test", "partition_test",
+            "machine_test", "compose_test")
 
 
 def table(rows):

@@ -39,6 +39,11 @@ class Container:
     def pid(self):
         return self.engine.inspect(self.name)["State"]["Pid"]
 
+    def address(self):
+        """In the swarm's network."""
+        networks = self.engine.inspect(self.name)["NetworkSettings"]["Networks"]
+        return next(network["IPAddress"] for network in networks.values())
+
     def running(self):
         return self.engine.inspect(self.name)["State"]["Running"]
 

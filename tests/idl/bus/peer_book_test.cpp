@@ -93,18 +93,20 @@ TEST(PeerBook, AGroupIsMatchedOnceEachOfItsAgentsHasItsSenseTopic) {
   const auto group_sense = endpoint_bit(TopicId::Sense, false);
   PeerBook group(three);
   group.discovered(kFirst, info(Role::World, 9));
-  group.discovered(kSecond, three);
+  PeerInfo others = three;
+  others.nonce = 60;
+  group.discovered(kSecond, others);
   match(group, kFirst, Role::World);
   match(group, kSecond, Role::Agent);
-  EXPECT_THAT(group.matched_nonces(kNow_s + 9.0), ElementsAre(50, 51, 52)) << "two writers of the world are missing";
+  EXPECT_THAT(group.matched_nonces(kNow_s + 9.0), ElementsAre(60, 61, 62)) << "two writers of the world are missing";
   for (const EntityKey writer : {100U, 101U}) {
     group.found(kFirst, writer, group_sense, true, kNow_s);
-    EXPECT_THAT(group.matched_nonces(kNow_s), ElementsAre(50, 51, 52));
+    EXPECT_THAT(group.matched_nonces(kNow_s), ElementsAre(60, 61, 62));
     group.matched(kFirst, group_sense);
   }
-  EXPECT_THAT(group.matched_nonces(kNow_s), ElementsAre(9, 50, 51, 52));
+  EXPECT_THAT(group.matched_nonces(kNow_s), ElementsAre(9, 60, 61, 62));
   group.found(kFirst, 101, group_sense, false, kNow_s);
-  EXPECT_THAT(group.matched_nonces(kNow_s + 9.0), ElementsAre(50, 51, 52));
+  EXPECT_THAT(group.matched_nonces(kNow_s + 9.0), ElementsAre(60, 61, 62));
 }
 
 TEST(PeerBook, ANoticeAfterTheEndBringsNobodyBack) {
@@ -154,6 +156,49 @@ TEST(PeerBook, AWorldThatDiedIsNoConflictForTheOneThatGoesOnWithItsRun) {
   dead.run = 0;
   silent.discovered(kFirst, dead);
   EXPECT_THAT(silent.conflict().value_or(""), HasSubstr("nonce 4")) << "none says which run it has";
+}
+
+PeerInfo renewed(PeerInfo info, std::uint32_t renewals) {
+  info.renewals = renewals;
+  return info;
+}
+
+TEST(PeerBook, TheNewestParticipantOfAProcessIsTheProcess) {
+  PeerBook book(info(Role::World, 5));
+  const PeerInfo agent = info(Role::Agent, 7);
+  book.discovered(kFirst, agent);
+  match(book, kFirst, Role::Agent);
+  EXPECT_THAT(book.matched_nonces(kNow_s), ElementsAre(7));
+  book.discovered(kSecond, renewed(agent, 1));
+  EXPECT_THAT(book.matched_nonces(kNow_s), IsEmpty()) << "the old one is matched, and dead";
+  match(book, kSecond, Role::Agent);
+  EXPECT_THAT(book.matched_nonces(kNow_s), ElementsAre(7)) << "once";
+  book.discovered(kFirst, agent);  // a late copy
+  book.gone(kFirst);               // its lease ends
+  EXPECT_THAT(book.matched_nonces(kNow_s), ElementsAre(7));
+  book.gone(kSecond);
+  EXPECT_THAT(book.matched_nonces(kNow_s), IsEmpty());
+}
+
+TEST(PeerBook, WhoIsMadeAnewKnowsNobodyAndSaysSo) {
+  PeerBook book(info(Role::Agent, 5));
+  book.discovered(kFirst, info(Role::Agent, 7));
+  match(book, kFirst, Role::Agent);
+  book.renew();
+  EXPECT_THAT(book.matched_nonces(kNow_s), IsEmpty());
+  EXPECT_EQ(book.own(), renewed(info(Role::Agent, 5), 1));
+}
+
+TEST(PeerBook, AProcessesOwnOldParticipantIsNeitherAPeerNorAConflict) {
+  PeerBook book(info(Role::World, 5, 100));
+  book.renew();
+  book.discovered(kFirst, info(Role::World, 5, 99));  // as a discovery server may still say
+  EXPECT_EQ(book.conflict(), std::nullopt);
+  PeerBook agent(info(Role::Agent, 7));
+  agent.renew();
+  agent.discovered(kFirst, info(Role::Agent, 7));
+  match(agent, kFirst, Role::Agent);
+  EXPECT_THAT(agent.matched_nonces(kNow_s), IsEmpty());
 }
 
 TEST(PeerBook, AWorldOfAnotherSwarmOrAnAgentOfAnotherVersionIsNoConflict) {

@@ -30,6 +30,14 @@ TEST(PeerInfo, SaysWhichRunAWorldHas) {
   EXPECT_EQ(peer_info_from(to_text(kGoose) + " run=x"), std::nullopt);
 }
 
+TEST(PeerInfo, SaysHowOftenTheProcessMadeItsParticipantAnew) {
+  PeerInfo renewed = kGoose;
+  renewed.renewals = 2;
+  EXPECT_EQ(to_text(renewed), to_text(kGoose) + " renewals=2");
+  EXPECT_EQ(peer_info_from(to_text(renewed)), renewed);
+  EXPECT_EQ(peer_info_from(to_text(kGoose) + " renewals=-1"), std::nullopt);
+}
+
 TEST(PeerInfo, SkipsWordsThatALaterVersionMayAdd) {
   EXPECT_EQ(peer_info_from(to_text(kGoose) + " colour=grey extra"), kGoose);
 }
