@@ -29,8 +29,11 @@ echo 'check: 3/4 tests'
 run_tests --label-exclude '^(bench|container)$' --timeout 600 -j2
 
 echo 'check: 4/4 containers, sanitizers, fuzzing, clang-tidy'
-{ deploy/tidy.sh && deploy/sanitize.sh; } >build/static.log 2>&1 &
+set -m # a process group of its own, to end it with this one
+{ deploy/tidy.sh && deploy/sanitize.sh; } >build/static.log 2>&1 </dev/null &
 beside=$!
+set +m
+trap 'kill -- "-$beside" 2>/dev/null || true' EXIT
 held=0
 [[ $purpose != container ]] || run_tests -V -L '^container$' || held=$?
 wait "$beside" || { held=$?; tail -n 100 build/static.log >&2; }

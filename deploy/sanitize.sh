@@ -16,20 +16,8 @@ case ${1:-} in
 esac
 build=build/dev
 work=$(mktemp -d "${TMPDIR:-/tmp}/skein-sanitize.XXXXXX")
-trap 'rm -rf "$work"' EXIT
-export ASAN_OPTIONS=detect_leaks=0:abort_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
-
-# The seeds of a target's corpus: golden samples after the byte that chooses their topic, scenarios.
-seed_corpus() {
-  local name byte=0
-  mkdir -p "$work"/{wire_fuzz,scenario_fuzz,round_record_fuzz}
-  for name in mission tick sense beacon representative obstacle_map; do
-    { printf "\\x0$byte" && python3 -c 'import sys; sys.stdout.buffer.write(bytes.fromhex(open(sys.argv[1]).read()))' \
-      "tests/idl/convert/golden/$name.hex"; } >"$work/wire_fuzz/$name"
-    byte=$((byte + 1))
-  done
-  cp tests/data/*.yaml tests/data/broken/*.yaml deploy/scenarios/*.yaml "$work/scenario_fuzz/"
-}
+trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
+export ASAN_OPTIONS=abort_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 
 # Exit code 0 if no input of the corpus, nor `inputs` mutated ones, breaks what the target demands.
 fuzz() {
@@ -51,7 +39,7 @@ fly() {
   local bus=(--domain 105 --swarm "sanitize-$$-$1" --startup-timeout 120)
   build/release/bin/skein run "$scenario" --seed 1 --in-process --out "$out/plain" >"$work/$1.log" 2>&1
   "$build/bin/skein-simworld" "$scenario" --seed 1 "${bus[@]}" --set lockstep.deadline_s=120 --out "$out/sanitized" \
-    >"$work/$1.world.log" 2>&1 &
+    --checkpoint "$out/checkpoint" >"$work/$1.world.log" 2>&1 &
   pids+=($!)
   for ((id = 1; id <= agents; ++id)); do
     "$build/bin/skein-agent" --id "$id" "${bus[@]}" >"$work/$1.agent$id.log" 2>&1 &
@@ -75,11 +63,11 @@ fly() {
 echo 'sanitize: 1/3 build'
 cmake --preset dev --log-level=WARNING -DSKEIN_TESTS=ON >/dev/null
 cmake --build "$build" --target "${targets[@]}" "${binaries[@]}" -- --quiet
-echo 'sanitize: 2/3 fuzzing'
-seed_corpus
-for target in "${targets[@]}"; do fuzz "$target"; done
-echo 'sanitize: 3/3 swarms'
+echo 'sanitize: 2/3 swarms'
 fly rendezvous-2d 3
 fly transit-partition 6
 fly rendezvous-surprise 3
+echo 'sanitize: 3/3 fuzzing'
+python3 -B tests/fuzz/seeds.py "$work" "$work"/rendezvous-2d/checkpoint/*
+for target in "${targets[@]}"; do fuzz "$target"; done
 [[ ${1:-} != --full ]] || ctest --test-dir "$build" -L '^(unit|property)$' --output-on-failure -j2

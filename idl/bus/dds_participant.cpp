@@ -7,6 +7,11 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <stdexcept>
 
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__  // as g++ says it
+#endif
+#endif
 #ifdef __SANITIZE_ADDRESS__
 // Fast DDS 2.9.1 deletes its own writers' statistics through a base without a virtual destructor; nothing of ours does.
 extern "C" const char* __asan_default_options() {

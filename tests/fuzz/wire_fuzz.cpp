@@ -18,13 +18,13 @@ void receive(std::span<const std::uint8_t> bytes) {
   const std::optional<Wire> sample = from_cdr<Wire>(bytes);
   if (!sample) return;
   const auto value = from_wire(*sample, WireContext{});
-  if (!value) return;
-  const Bytes sent = to_cdr(to_wire(*value, Stamp{}));
+  if (!value.ok()) return;
+  const Bytes sent = to_cdr(to_wire(value.value(), Stamp{}));
   const std::optional<Wire> heard = from_cdr<Wire>(sent);
   require(heard.has_value(), "what was accepted can be sent");
   const auto again = from_wire(*heard, WireContext{});
-  require(static_cast<bool>(again), "what was accepted is accepted again");
-  require(to_cdr(to_wire(*again, Stamp{})) == sent, "what was accepted comes back unchanged");
+  require(again.ok(), "what was accepted is accepted again");
+  require(to_cdr(to_wire(again.value(), Stamp{})) == sent, "what was accepted comes back unchanged");
 }
 
 constexpr std::array kReceivers{receive<wire::Mission>, receive<wire::Tick>,           receive<wire::Sense>,
