@@ -37,6 +37,12 @@ bool drained(int fd) {
   }
 }
 
+bool is_running(const NetworkAddress& wanted, std::span<const NetworkAddress> among) {
+  return std::ranges::any_of(among, [&](const NetworkAddress& one) {
+    return one.running && std::tie(one.index, one.address) == std::tie(wanted.index, wanted.address);
+  });
+}
+
 }  // namespace
 
 std::vector<NetworkAddress> network_addresses() {
@@ -62,13 +68,13 @@ std::vector<NetworkAddress> network_addresses() {
 }
 
 std::optional<NetworkAddress> new_address(std::span<const NetworkAddress> before, std::span<const NetworkAddress> now) {
-  for (const NetworkAddress& candidate : now) {
-    const bool known = std::ranges::any_of(before, [&](const NetworkAddress& old) {
-      return old.running && std::tie(old.index, old.address) == std::tie(candidate.index, candidate.address);
-    });
-    if (candidate.running && !known) return candidate;
-  }
-  return std::nullopt;
+  const bool any_before = std::ranges::any_of(before, &NetworkAddress::running);
+  const bool one_went =
+      std::ranges::any_of(before, [&](const NetworkAddress& old) { return old.running && !is_running(old, now); });
+  if (any_before && !one_went) return std::nullopt;
+  const auto fresh = std::ranges::find_if(
+      now, [&](const NetworkAddress& candidate) { return candidate.running && !is_running(candidate, before); });
+  return fresh == now.end() ? std::nullopt : std::optional(*fresh);
 }
 
 NetworkWatch::NetworkWatch() : fd_(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE)) {

@@ -4,11 +4,13 @@
 // its memberships along: what is connected later is another interface to the kernel, though name and address may be the
 // same. So an address is known by its interface's index, and the participant is to be made anew when, loopback aside,
 //
-//   { (index, address) : running now } is no subset of { (index, address) : running when it was made }
+//   A = { (index, address) : running now },  B = { (index, address) : running when it was made },
+//   A has what B has not, and (A lacks what B has, or B is empty)
 //
 // A link that goes down and up again keeps its index and heals by itself; an interface that disappears alone leaves
 // nothing to make a participant for; one with an address that is not running yet (no carrier) would make one that is
-// deaf again: all three wait for the next event. Source: rtnetlink(7), groups RTMGRP_LINK and RTMGRP_IPV4_IFADDR;
+// deaf again: all three wait for the next event. One that comes beside those in use (a bridge of containers) takes
+// nothing away, and is not joined. Source: rtnetlink(7), groups RTMGRP_LINK and RTMGRP_IPV4_IFADDR;
 // getifaddrs(3). Complexity: one system call without an event, O(addresses log addresses) with one.
 #pragma once
 
@@ -33,7 +35,8 @@ struct NetworkAddress {
 /// Those of all interfaces but loopback. @throws std::system_error
 [[nodiscard]] std::vector<NetworkAddress> network_addresses();
 
-/// The first running address of `now` that was not there, or not running, before; nothing if there is none.
+/// The first running address of `now` that was not running before, if it comes in place of one that was, or is the
+/// first of all; else nothing.
 [[nodiscard]] std::optional<NetworkAddress> new_address(std::span<const NetworkAddress> before,
                                                         std::span<const NetworkAddress> now);
 
