@@ -23,20 +23,37 @@ quiet=()
 [[ -t 1 ]] || quiet=(--quiet)
 cmake --preset release --log-level=WARNING -DSKEIN_TESTS=ON >/dev/null
 cmake --build build/release -- "${quiet[@]}"
-run_tests() { ctest --test-dir build/release --no-tests=error --output-on-failure "$@"; }
+# Each part is a process group of its own, so that none of it outlives this script.
+set -m
+groups=()
+end_groups() {
+  local group
+  for group in "${groups[@]}"; do kill -- "-$group" 2>/dev/null || true; done
+  wait
+}
+trap end_groups EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+start() {
+  "$@" </dev/null &
+  groups+=($!)
+}
+run_tests() { start ctest --test-dir build/release --no-tests=error --output-on-failure "$@"; }
+static() { deploy/tidy.sh && deploy/sanitize.sh; }
 
 echo 'check: 3/4 tests'
 run_tests --label-exclude '^(bench|container)$' --timeout 600 -j2
+wait "$!"
 
 echo 'check: 4/4 containers, sanitizers, fuzzing, clang-tidy'
-set -m # a process group of its own, to end it with this one
-{ deploy/tidy.sh && deploy/sanitize.sh; } >build/static.log 2>&1 </dev/null &
+start static >build/static.log 2>&1
 beside=$!
-set +m
-trap 'kill -- "-$beside" 2>/dev/null || true' EXIT
 held=0
-[[ $purpose != container ]] || run_tests -V -L '^container$' || held=$?
+if [[ $purpose == container ]]; then
+  run_tests -V -L '^container$'
+  wait "$!" || held=$?
+fi
 wait "$beside" || { held=$?; tail -n 100 build/static.log >&2; }
-grep -E '^(tidy|sanitize): ' build/static.log
+grep -E '^(tidy|sanitize): ' build/static.log || true
 ((held == 0)) && echo 'check: all of it held' || echo 'check: something did not hold; see above'
 exit "$held"

@@ -12,19 +12,28 @@ tool=$(command -v clang-tidy-14 || true)
 build=${SKEIN_BUILD:-build/release}
 [[ -e $build/compile_commands.json ]] || { echo "tidy: $build is not configured; run deploy/check.sh" >&2; exit 1; }
 
-# The .cpp files that differ from the base, and those beside a header that does.
+base=$(<deploy/tidy.base)
+
+# The .cpp files that differ from the base, and for a header that does the one beside it, or one that includes it.
 changed() {
-  local base file
-  base=$(<deploy/tidy.base)
-  git cat-file -e "$base^{commit}" 2>/dev/null || base=HEAD~1 # a clone without the whole history
-  { git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp'; git ls-files -o --exclude-standard '*.cpp' '*.hpp'; } |
-    while read -r file; do [[ ! -e ${file%.*}.cpp ]] || echo "${file%.*}.cpp"; done | sort -u
+  local file
+  { git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp' && git ls-files -o --exclude-standard '*.cpp' '*.hpp'; } |
+    while read -r file; do
+      if [[ -e ${file%.*}.cpp ]]; then
+        echo "${file%.*}.cpp"
+      else
+        git grep --untracked -l -F "#include \"$file\"" -- '*.cpp' | sed 1q || true
+      fi
+    done | sort -u
 }
 
 if [[ ${1:-} == --full ]]; then
   mapfile -t files < <(git ls-files '*.cpp')
 elif (($#)); then
   files=("$@")
+elif ! git cat-file -e "$base^{commit}" 2>/dev/null; then
+  echo "tidy: NOT RUN: commit $base, with which to compare, is not in this clone; git fetch --unshallow"
+  exit 0
 else
   listed=$(changed)
   mapfile -t files < <(printf '%s' "$listed")

@@ -25,6 +25,7 @@ constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 constexpr double kWorldTimeout_s = 30.0;
 constexpr double kSilence_s = 2.5;  ///< a world that waits repeats its tick every second
+constexpr double kNeed_s = 1.0;     ///< without a tick: then a network that changed matters
 constexpr double kLook_s = 0.25;    ///< at most, between two looks at what may be due: others serve meanwhile
 
 /// The sessions of one process, over the ports that they share.
@@ -153,12 +154,14 @@ bool lacks_world(const AgentArguments& arguments, bool heard, double heard_s) {
   return true;
 }
 
-/// A participant of another network would be deaf in this one.
-void follow_network(NetworkWatch& network, bus::DdsAgentGroup& group) {
-  const auto change = network.take();
-  if (!change) return;
-  group.renew();
-  spdlog::warn("the network changed ({}): DDS participant made anew", *change);
+/// A participant of another network would be deaf in this one; who takes part and hears the world is not.
+template <typename Listener>
+void follow_network(NetworkWatch& network, bus::DdsAgentGroup& group, const Listener& listener, bool takes_part) {
+  const double now_s = steady_now_s();
+  const bool in_need = !takes_part || now_s - listener.heard_world_s() > kNeed_s;
+  if (const auto what = network.follow(
+          in_need, [&] { group.renew(); }, now_s))
+    spdlog::warn("{}", *what);
 }
 
 /// The id that the world gives to `nonce`, over a participant that is gone when this returns: who has an id is matched
@@ -179,7 +182,7 @@ std::variant<AgentId, int> ask_for_id(const AgentArguments& arguments, std::uint
                    group.flush(std::chrono::milliseconds(500)) ? "" : ", unheard");
       return 128 + *signal;
     }
-    follow_network(network, group);
+    follow_network(network, group, request, request.heard_world());
     if (const auto conflict = group.conflict()) {
       spdlog::error("{}", *conflict);
       return kStartUp;
@@ -225,7 +228,7 @@ int serve(AgentArguments arguments) {
       sessions.log_signal(*signal, group.flush(std::chrono::milliseconds(500)));
       return 128 + *signal;
     }
-    follow_network(network, group);
+    follow_network(network, group, sessions, !sessions.any(AgentSession::State::Introducing));
     if (const auto conflict = group.conflict()) {
       spdlog::error("{}", *conflict);
       return kStartUp;

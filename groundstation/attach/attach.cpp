@@ -20,6 +20,7 @@ constexpr double kHearAll_s =
     1.5;  ///< in which all swarms of a domain are heard: they announce themselves every second
 constexpr double kSilence_s = 30.0;  ///< without a tick of any phase, as agents take it
 constexpr double kLastTick_s = 2.0;  ///< for a last tick that is still on its way when its world is gone
+constexpr double kNeed_s = 1.0;      ///< without a tick: then a network that changed matters
 constexpr int kUsage = 2;
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
@@ -47,21 +48,24 @@ class Watch {
  private:
   /// Sleeps until there is something to do, `limit_s` at most. @return whether a signal ended the watch
   bool wait(int fd, double limit_s) {
-    wait_readable({fd, signals_.fd(), network_.fd()}, std::max(0.0, limit_s));
+    wait_readable({fd, signals_.fd(), network_.fd()}, std::clamp(limit_s, 0.0, kNeed_s));
     if (const auto signal = signals_.take()) {
       ended_ = without_result(128 + *signal, fmt::format("ended by {}", *signal == SIGINT ? "SIGINT" : "SIGTERM"));
     }
     return ended_.has_value();
   }
 
-  /// A participant of another network would be deaf in this one. @return whether there was one to be made anew
+  /// A participant of another network would be deaf in this one. @param in_need who should be heard is not
+  /// @return whether it was made anew
   template <typename Port>
-  bool follow_network(Port& port) {
-    const auto change = network_.take();
-    if (!change) return false;
-    port.renew();
-    fmt::print(stderr, "the network changed ({}): DDS participant made anew\n", *change);
-    return true;
+  bool follow_network(Port& port, bool in_need) {
+    bool renewed = false;
+    const auto renew = [&] {
+      port.renew();
+      renewed = true;
+    };
+    if (const auto what = network_.follow(in_need, renew, steady_now_s())) fmt::print(stderr, "{}\n", *what);
+    return renewed;
   }
 
   /// All of them, once the first was heard.
@@ -72,7 +76,7 @@ class Watch {
     std::vector<std::string> swarms;
     while (steady_now_s() < until_s) {
       if (wait(finder.wake_fd(), until_s - steady_now_s())) return {};
-      follow_network(finder);
+      follow_network(finder, swarms.empty());
       const bool first = swarms.empty();
       swarms = finder.swarms();
       if (first && !swarms.empty()) until_s = std::min(until_s, steady_now_s() + kHearAll_s);
@@ -107,7 +111,7 @@ class Watch {
       const double left_s = heard_s + limit_s - steady_now_s();
       if (left_s <= 0.0) return silence(flags, gone, run.heard_tick(), limit_s);
       if (wait(port.wake_fd(), left_s)) return *ended_;
-      if (follow_network(port)) {  // nobody is known to the new one, nor gone
+      if (follow_network(port, steady_now_s() - heard_s > kNeed_s)) {  // nobody is known to the new one, nor gone
         has_world = had_world = false;
         heard_s = steady_now_s();
       }

@@ -41,6 +41,9 @@ class DisturbedRun {
     outcome_.seed = plan_.scenario.mission.seed;
     outcome_.kind = injection_.kind.kind;
     outcome_.fault = text_of(injection_);
+    outcome_.befallen = injection_.cut;
+    if (injection_.agent != kWorldId) outcome_.befallen.push_back(injection_.agent);
+    outcome_.injected = injection_.for_s == 0.0;  // at a tick, or below DDS for as long as the run lasts
     start_s_ = steady_now_s();
     Child child = start();
     if (injection_.kind.kind == Kind::Pause) pause(child);
@@ -95,11 +98,11 @@ class DisturbedRun {
     return false;
   }
 
-  void pause(Child& child) const {
+  void pause(Child& child) {
     if (!in_flight(child) || wait(child, injection_.after_s)) return;
     const auto agent = process_of(swarm_, injection_.agent);
     if (!agent) return;
-    kill(*agent, SIGSTOP);
+    outcome_.injected = kill(*agent, SIGSTOP) == 0;
     wait(child, injection_.for_s);
     kill(*agent, SIGCONT);
   }
@@ -116,19 +119,20 @@ class DisturbedRun {
     const std::string scratch = plan_.folder + "/partition";
     const bool made = !ports.empty() && put_rules(child.pid(), partition_rules(ports), scratch);
     if (!made && child.running()) outcome_.unexplained.push_back("the partition could not be made");
+    outcome_.injected = made;
     wait(child, injection_.for_s);
     const bool healed = put_rules(child.pid(), partition_rules({}), scratch);
     if (!healed && child.running()) outcome_.unexplained.push_back("the partition could not be healed");
   }
 
-  void slow_down(Child& child) const {
+  void slow_down(Child& child) {
     std::optional<pid_t> agent;
     while (!agent && !wait(child, kLook_s) && steady_now_s() - start_s_ < plan_.limit_s) {
       agent = process_of(swarm_, injection_.agent);
     }
     const double until_s = steady_now_s() + injection_.for_s;
     while (agent && steady_now_s() < until_s) {
-      kill(*agent, SIGSTOP);
+      if (kill(*agent, SIGSTOP) == 0) outcome_.injected = true;
       wait(child, kStopped_s);
       kill(*agent, SIGCONT);
       if (wait(child, kGoing_s)) return;

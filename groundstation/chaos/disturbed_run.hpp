@@ -28,6 +28,8 @@ struct RunOutcome {
   std::uint64_t seed = 0;
   Kind kind = Kind::Kill;
   std::string fault;
+  std::vector<AgentId> befallen{};  ///< the agents whose processes the fault stops, ends or cuts off
+  bool injected = false;            ///< it really happened; a run may be over before
   Result result = Result::Completed;
   int exit_code = -1;
   std::string reason;

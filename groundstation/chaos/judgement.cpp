@@ -10,12 +10,13 @@
 namespace skein::chaos {
 namespace {
 
-/// 0 after a run, 4 when the world went on without it; a kill where the fault is one, or stops an agent: one that
-/// stands still when the run is over is killed by the launcher, and one that is cut off until then is asked to end.
-bool is_explained(const std::string& ended_by, Kind kind) {
-  if (kind == Kind::Partition && ended_by == "exit status 143") return true;
-  const bool killed = kind != Kind::World && !needs_network(kind);
-  return ended_by == "exit status 0" || ended_by == "exit status 4" || (killed && ended_by == "signal 9 (Killed)");
+/// 0 after a run, 4 when the world went on without it; of whom the fault befell a kill where the fault is one, or stops
+/// an agent: one that stands still when the run is over is killed by the launcher, and one that is cut off until then
+/// is asked to end.
+bool is_explained(const std::string& ended_by, AgentId agent, const RunOutcome& outcome) {
+  if (ended_by == "exit status 0" || ended_by == "exit status 4") return true;
+  if (std::ranges::find(outcome.befallen, agent) == outcome.befallen.end()) return false;
+  return ended_by == (outcome.kind == Kind::Partition ? "exit status 143" : "signal 9 (Killed)");
 }
 
 void note_recovery(const nlohmann::json& report, const std::vector<RosterChange>& changes, double step_s,
@@ -66,7 +67,7 @@ void judge(const nlohmann::json& report, const Scenario& scenario, RunOutcome& o
   }
   for (const auto& process : report.value("processes", nlohmann::json::array())) {
     const std::string ended_by = process.at("ended_by");
-    if (is_explained(ended_by, outcome.kind)) continue;
+    if (is_explained(ended_by, process.at("agent").get<AgentId>(), outcome)) continue;
     outcome.unexplained.push_back(fmt::format("agent {}: {}", process.at("agent").dump(), ended_by));
   }
   note_agreement(report, outcome);

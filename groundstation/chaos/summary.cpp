@@ -27,6 +27,7 @@ Json counts_of(const std::vector<const RunOutcome*>& outcomes) {
     unexplained += outcome->unexplained.size();
   }
   return {{"runs", outcomes.size()},
+          {"injected", std::ranges::count(outcomes, true, &RunOutcome::injected)},
           {"completed", results(Result::Completed)},
           {"degraded", results(Result::Degraded)},
           {"unsafe", results(Result::Unsafe)},
@@ -74,6 +75,7 @@ Json of_kind(const std::vector<const RunOutcome*>& outcomes) {
 Json of_run(const RunOutcome& outcome) {
   Json run{{"seed", outcome.seed},
            {"fault", outcome.fault},
+           {"injected", outcome.injected},
            {"result", kResults[static_cast<std::size_t>(outcome.result)]},
            {"exit_code", outcome.exit_code},
            {"reason", outcome.reason},
@@ -100,9 +102,9 @@ std::string row_of(const std::string& name, const Json& counts) {
   const bool spreads = counts.contains("recovery_s");
   const auto count = [&](const char* key) { return counts.at(key).get<int>(); };
   const std::string maps = fmt::format("{}/{}", count("maps_differ"), count("maps_judged"));
-  return fmt::format("{:>9} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>6} {:>7} {:>5} {:>14} {:>14}\n", name, count("runs"),
-                     count("completed"), count("degraded"), count("unsafe"), count("hangs"), count("orphans"),
-                     count("replay_mismatches"), maps, count("unaccepted_plans"),
+  return fmt::format("{:>9} {:>5} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>6} {:>7} {:>5} {:>14} {:>14}\n", name,
+                     count("runs"), count("injected"), count("completed"), count("degraded"), count("unsafe"),
+                     count("hangs"), count("orphans"), count("replay_mismatches"), maps, count("unaccepted_plans"),
                      spreads ? spread_text(counts.at("recovery_steps"), 1) : "",
                      spreads ? spread_text(counts.at("recovery_s"), 2) : "");
 }
@@ -126,9 +128,9 @@ Json summary_of(const std::vector<RunOutcome>& outcomes) {
 }
 
 std::string text_of(const Json& summary) {
-  std::string text = fmt::format("{:>9} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>6} {:>7} {:>5} {:>14} {:>14}\n", "fault",
-                                 "runs", "completed", "degraded", "unsafe", "hangs", "orphans", "replay", "maps",
-                                 "plans", "recovery steps", "recovery s");
+  std::string text = fmt::format("{:>9} {:>5} {:>5} {:>9} {:>8} {:>6} {:>5} {:>7} {:>6} {:>7} {:>5} {:>14} {:>14}\n",
+                                 "fault", "runs", "done", "completed", "degraded", "unsafe", "hangs", "orphans",
+                                 "replay", "maps", "plans", "recovery steps", "recovery s");
   for (const auto& [name, counts] : summary.at("faults").items()) text += row_of(name, counts);
   text += row_of("all", summary);
   for (const Json& run : summary.at("per_run")) {

@@ -106,9 +106,9 @@ struct DdsAgentGroup::Impl {
     wake.ring();
   }
 
-  bool write(const wire::Beacon& sample) { return bus->beacon.write(sample); }
-  bool write(const wire::Representative& sample) { return bus->representative_out.write(sample); }
-  bool write(const wire::ObstacleMap& sample) { return bus->map_out.write(sample); }
+  bool write(const wire::Beacon& sample) { return bus && bus->beacon.write(sample); }
+  bool write(const wire::Representative& sample) { return bus && bus->representative_out.write(sample); }
+  bool write(const wire::ObstacleMap& sample) { return bus && bus->map_out.write(sample); }
 
   void publish(const Member& from, const AgentOutbound& sample) {
     const bool accepted = std::visit([this](const auto& held) { return write(held); }, sample);
@@ -208,8 +208,8 @@ int DdsAgentGroup::wake_fd() const {
 
 bool DdsAgentGroup::flush(std::chrono::milliseconds limit) {
   const Deadline deadline(limit);
-  return impl_->bus->representative_out.flush(deadline.left_s()) && impl_->bus->map_out.flush(deadline.left_s()) &&
-         impl_->bus->beacon.flush(deadline.left_s());
+  return impl_->bus && impl_->bus->representative_out.flush(deadline.left_s()) &&
+         impl_->bus->map_out.flush(deadline.left_s()) && impl_->bus->beacon.flush(deadline.left_s());
 }
 
 std::optional<std::string> DdsAgentGroup::conflict() const {

@@ -67,7 +67,7 @@ class DdsAgentGroup {
   /// Hands what arrived to the ports, which is then theirs to take(): call it once before all of them take.
   void receive();
   /// Leaves the bus and joins it with a new participant (above); nobody is matched yet. @throws std::runtime_error if
-  /// DDS cannot make one: then the group can only be destroyed.
+  /// DDS cannot make one: then the group is on no bus, and what it publishes is lost, until another renew() succeeds.
   void renew();
   /// Readable when something arrived for any port or a match changed since the last receive().
   [[nodiscard]] int wake_fd() const;

@@ -78,12 +78,13 @@ struct DdsWorldPort::Impl {
 
   bool write(const wire::Mission& sample) {
     latched = sample;
-    return bus->mission.write(sample);
+    return bus && bus->mission.write(sample);
   }
-  bool write(const wire::Tick& sample) { return bus->tick.write(sample); }
-  bool write(const wire::Representative& sample) { return bus->representative_out.write(sample); }
-  bool write(const wire::ObstacleMap& sample) { return bus->map_out.write(sample); }
+  bool write(const wire::Tick& sample) { return bus && bus->tick.write(sample); }
+  bool write(const wire::Representative& sample) { return bus && bus->representative_out.write(sample); }
+  bool write(const wire::ObstacleMap& sample) { return bus && bus->map_out.write(sample); }
   bool write(const wire::Sense& sample) {
+    if (!bus) return false;
     const auto writer = bus->sense.find(sample.agent());
     return writer != bus->sense.end() && writer->second.write(sample);
   }
@@ -129,6 +130,7 @@ int DdsWorldPort::wake_fd() const {
 
 bool DdsWorldPort::flush(std::chrono::milliseconds limit) {
   const Deadline deadline(limit);
+  if (!impl_->bus) return false;
   Endpoints& bus = *impl_->bus;
   for (auto& [agent, writer] : bus.sense) {
     if (!writer.flush(deadline.left_s())) return false;

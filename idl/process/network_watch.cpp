@@ -1,6 +1,7 @@
 #include "idl/process/network_watch.hpp"
 
 #include <arpa/inet.h>
+#include <fmt/core.h>
 #include <ifaddrs.h>
 #include <linux/netlink.h>
 #include <linux/rtnetlink.h>
@@ -17,6 +18,8 @@
 
 namespace skein {
 namespace {
+
+constexpr double kAgain_s = 1.0;
 
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -35,12 +38,6 @@ bool drained(int fd) {
       return any;
     }
   }
-}
-
-bool is_running(const NetworkAddress& wanted, std::span<const NetworkAddress> among) {
-  return std::ranges::any_of(among, [&](const NetworkAddress& one) {
-    return one.running && std::tie(one.index, one.address) == std::tie(wanted.index, wanted.address);
-  });
 }
 
 }  // namespace
@@ -68,13 +65,13 @@ std::vector<NetworkAddress> network_addresses() {
 }
 
 std::optional<NetworkAddress> new_address(std::span<const NetworkAddress> before, std::span<const NetworkAddress> now) {
-  const bool any_before = std::ranges::any_of(before, &NetworkAddress::running);
-  const bool one_went =
-      std::ranges::any_of(before, [&](const NetworkAddress& old) { return old.running && !is_running(old, now); });
-  if (any_before && !one_went) return std::nullopt;
-  const auto fresh = std::ranges::find_if(
-      now, [&](const NetworkAddress& candidate) { return candidate.running && !is_running(candidate, before); });
-  return fresh == now.end() ? std::nullopt : std::optional(*fresh);
+  for (const NetworkAddress& candidate : now) {
+    const bool known = std::ranges::any_of(before, [&](const NetworkAddress& old) {
+      return old.running && std::tie(old.index, old.address) == std::tie(candidate.index, candidate.address);
+    });
+    if (candidate.running && !known) return candidate;
+  }
+  return std::nullopt;
 }
 
 NetworkWatch::NetworkWatch() : fd_(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE)) {
@@ -95,13 +92,25 @@ NetworkWatch::~NetworkWatch() {
   ::close(fd_);
 }
 
-std::optional<std::string> NetworkWatch::take() {
-  if (!drained(fd_)) return std::nullopt;
-  std::vector<NetworkAddress> now = network_addresses();
-  const std::optional<NetworkAddress> fresh = new_address(known_, now);
-  if (!fresh) return std::nullopt;
-  known_ = std::move(now);
-  return fresh->interface + " " + fresh->address;
+std::optional<std::string> NetworkWatch::follow(bool in_need, const std::function<void()>& renew, double now_s) {
+  if (drained(fd_)) changed_ = true;
+  if (!changed_ || !in_need || now_s < not_before_s_) return std::nullopt;
+  std::string what = "the network changed";
+  try {
+    std::vector<NetworkAddress> now = network_addresses();
+    const std::optional<NetworkAddress> fresh = new_address(known_, now);
+    changed_ = false;
+    if (!fresh) return std::nullopt;
+    what = fmt::format("the network changed ({} {})", fresh->interface, fresh->address);
+    changed_ = true;
+    renew();
+    changed_ = false;
+    known_ = std::move(now);
+    return what + ": DDS participant made anew";
+  } catch (const std::exception& error) {
+    not_before_s_ = now_s + kAgain_s;
+    return fmt::format("{}, but DDS cannot follow, and tries again: {}", what, error.what());
+  }
 }
 
 }  // namespace skein

@@ -37,6 +37,7 @@ class LauncherControl final : public ProcessControl {
 };
 
 constexpr double kSilence_s = 2.5;  ///< a tick is repeated every second
+constexpr double kNeed_s = 1.0;     ///< without an answer: then a network that changed matters
 constexpr double kLook_s = 0.25;    ///< at most, between two looks at what may be due: others serve meanwhile
 
 // The last tick says how the run ended, and observers read best effort: they get it again.
@@ -157,12 +158,15 @@ class WorldProcess {
       session_.interrupt("the launcher ended", static_cast<int>(ExitCode::Failed), steady_now_s());
   }
 
-  /// A participant of another network would be deaf in this one. The open tick is repeated until it is answered.
+  /// A participant of another network would be deaf in this one; one that is answered is not. The open tick is
+  /// repeated until it is. When the run is over the last samples are under way.
   void follow_network() {
-    const auto change = network_.take();
-    if (!change || session_.state() == WorldSession::State::Closing) return;  // the last samples are under way
-    port_.renew();
-    spdlog::warn("the network changed ({}): DDS participant made anew", *change);
+    const double now_s = steady_now_s();
+    const bool in_need =
+        session_.state() == WorldSession::State::Waiting || !session_.silent_for(kNeed_s, now_s).empty();
+    if (const auto what = network_.follow(
+            in_need, [this] { port_.renew(); }, now_s))
+      spdlog::warn("{}", *what);
   }
 
   Scenario scenario_;

@@ -24,9 +24,12 @@ nlohmann::json report_with(const std::vector<Fault>& faults = {}) {
   return report;
 }
 
+/// Of a run whose fault befell agent 2, unless it was the world's.
 RunOutcome judged(const nlohmann::json& report, Kind kind = Kind::Kill) {
   RunOutcome outcome;
   outcome.kind = kind;
+  outcome.injected = true;
+  if (kind != Kind::World) outcome.befallen = {2};
   outcome.exit_code = report.is_object() ? report.value("exit_code", -1) : 2;
   judge(report, small(), outcome);
   return outcome;
@@ -52,6 +55,8 @@ TEST(Judgement, ALossIsDegradedWithItsReasonAndARestartIsARecovery) {
   EXPECT_EQ(outcome.recovery_s, 6.0);
   EXPECT_TRUE(is_sound(judged(report, Kind::Slow))) << "who stands still at the end is killed";
   EXPECT_FALSE(is_sound(judged(report, Kind::World))) << "no agent dies of the world's death";
+  report["processes"][0]["ended_by"] = "signal 9 (Killed)";
+  EXPECT_EQ(judged(report).unexplained, std::vector<std::string>{"agent 1: signal 9 (Killed)"}) << "another one's fault";
 }
 
 TEST(Judgement, WhatBreaksAnInvariantIsNotSound) {

@@ -37,6 +37,7 @@ TEST(Chaos, EveryRunKeepsTheInvariants) {
     ASSERT_EQ(ended.exit_code, 0) << ended.err << ended.out;
     const auto summary = nlohmann::json::parse(ended.out);
     EXPECT_EQ(summary.at("runs"), runs);
+    EXPECT_GE(summary.at("injected").get<unsigned>() + 1, runs) << "one may come too late: " << summary.dump(2);
     EXPECT_EQ(summary.at("completed").get<unsigned>() + summary.at("degraded").get<unsigned>(), runs);
     for (const char* key : kNever) EXPECT_EQ(summary.at(key), 0) << key << summary.dump(2);
     EXPECT_EQ(summary.at("maps_judged"), ring ? 0U : runs) << summary.dump(2);
