@@ -83,3 +83,17 @@ class Deaths(ContainerCase):
         self.assertEqual(report["roster_changes"], [])
         note(f"kill -9 of the world after step {step}; another one starts", "rendezvous-2d",
              "agents and ground station say so (exit codes 3 and 4); restarted, the whole run has the same state hash")
+
+    def test_a_world_is_killed_and_goes_on_from_its_checkpoint(self):
+        swarm = self.swarm(RENDEZVOUS)
+        world = swarm.start_world(*RENDEZVOUS.flags(), "--checkpoint", "/runs/checkpoint",
+                                  options=("--restart", "on-failure"))
+        swarm.start_agents()
+        step = seeded_step(5)
+        world.reaches("flying", step)
+        faults.kill_process(world)
+        world.says("goes on with the run from its checkpoint")
+        report = self.assert_undisturbed(world, swarm, RENDEZVOUS)
+        self.assertEqual(report["world_restarts"], 1)
+        note(f"kill -9 of the world with a checkpoint after step {step}; its container is restarted", "rendezvous-2d",
+             "it goes on; same state hash")
