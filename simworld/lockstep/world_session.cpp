@@ -168,7 +168,8 @@ void WorldSession::drop_silent(double now_s) {
 }
 
 std::vector<AgentId> WorldSession::silent_for(double seconds, double now_s) const {
-  if (state_ != State::Running || interventions_.holding() || now_s - barrier_.opened_s() - away_s_ <= seconds) return {};
+  if (state_ != State::Running || interventions_.holding() || now_s - barrier_.opened_s() - away_s_ <= seconds)
+    return {};
   return barrier_.waiting_for();
 }
 

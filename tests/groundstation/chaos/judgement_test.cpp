@@ -56,7 +56,8 @@ TEST(Judgement, ALossIsDegradedWithItsReasonAndARestartIsARecovery) {
   EXPECT_TRUE(is_sound(judged(report, Kind::Slow))) << "who stands still at the end is killed";
   EXPECT_FALSE(is_sound(judged(report, Kind::World))) << "no agent dies of the world's death";
   report["processes"][0]["ended_by"] = "signal 9 (Killed)";
-  EXPECT_EQ(judged(report).unexplained, std::vector<std::string>{"agent 1: signal 9 (Killed)"}) << "another one's fault";
+  EXPECT_EQ(judged(report).unexplained, std::vector<std::string>{"agent 1: signal 9 (Killed)"})
+      << "another one's fault";
 }
 
 TEST(Judgement, WhatBreaksAnInvariantIsNotSound) {

@@ -29,12 +29,19 @@ TEST(SessionSilence, NamesWhoLeavesATickUnanswered) {
   Stage stage(2);
   const Tick first = stage.start();
   stage.say(closing(2, first.round, AgentMode::Ready));
-  stage.at(2.5);
+  for (const double now_s : {0.5, 1.0, 1.5, 2.0, 2.5}) stage.at(now_s);
   EXPECT_TRUE(stage.session.silent_for(2.5, 2.5).empty());
   EXPECT_EQ(stage.session.silent_for(2.5, 2.6), std::vector<AgentId>{1});
   stage.say(closing(1, first.round, AgentMode::Ready));
   stage.at(2.6);
   EXPECT_TRUE(stage.session.silent_for(2.5, 2.6).empty());
+}
+
+TEST(SessionSilence, BlamesNobodyForTheTimeInWhichTheWorldItselfWasStopped) {
+  Stage stage(1);
+  (void)stage.start();
+  stage.at(3.0);
+  EXPECT_TRUE(stage.session.silent_for(2.5, 3.0).empty());
 }
 
 }  // namespace
