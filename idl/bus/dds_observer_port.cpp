@@ -1,6 +1,7 @@
 #include "idl/bus/dds_observer_port.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "idl/bus/dds_endpoint.hpp"
 #include "idl/bus/memory_bus.hpp"
@@ -12,6 +13,13 @@ PeerInfo self(const DdsConfig& config) {
   return {Role::Observer, config.swarm, kWorldId, config.nonce, config.wire_version, config.start_stamp_ns};
 }
 
+/// Where the topics of a swarm are, those of each agent among them.
+std::vector<std::string> partitions_of(const std::string& swarm) {
+  std::vector<std::string> partitions{swarm};
+  for (AgentId agent = 1; agent <= kMaxAgents; ++agent) partitions.push_back(sense_partition(swarm, agent));
+  return partitions;
+}
+
 DdsConfig as_anybody(DdsConfig config) {
   config.swarm = "skein";  // in no partition: any legal name will do
   return config;
@@ -21,13 +29,17 @@ DdsConfig as_anybody(DdsConfig config) {
 
 // Members end in the opposite order: endpoints, then the participant, then what its listeners use.
 struct DdsObserverPort::Impl {
-  explicit Impl(const DdsConfig& config)
+  Impl(const DdsConfig& config, Observed what)
       : book(self(config)),
-        participant(config, {config.swarm}, book, wake),
+        participant(config, partitions_of(config.swarm), book, wake),
         subscriber(participant.subscriber({config.swarm})),
         mission(participant, subscriber, book, wake, inbox, Ring::Now),
         tick(participant, subscriber, book, wake, inbox, Ring::Now),
-        beacon(participant, subscriber, book, wake, inbox, Ring::Silent) {}
+        beacon(participant, subscriber, book, wake, inbox, Ring::Silent) {
+    if (what == Observed::Progress) return;
+    representative.emplace(participant, subscriber, book, wake, inbox, Ring::Silent);
+    obstacle_map.emplace(participant, subscriber, book, wake, inbox, Ring::Silent);
+  }
 
   Wake wake;
   PeerBook book;
@@ -37,9 +49,12 @@ struct DdsObserverPort::Impl {
   Reader<wire::Mission, ObserverInbound> mission;
   Reader<wire::Tick, ObserverInbound> tick;
   Reader<wire::Beacon, ObserverInbound> beacon;
+  std::optional<Reader<wire::Representative, ObserverInbound>> representative;
+  std::optional<Reader<wire::ObstacleMap, ObserverInbound>> obstacle_map;
 };
 
-DdsObserverPort::DdsObserverPort(const DdsConfig& config) : impl_(std::make_unique<Impl>(config)) {}
+DdsObserverPort::DdsObserverPort(const DdsConfig& config, Observed what)
+    : impl_(std::make_unique<Impl>(config, what)) {}
 DdsObserverPort::~DdsObserverPort() = default;
 
 void DdsObserverPort::take(std::vector<ObserverInbound>& into) {
@@ -52,6 +67,18 @@ int DdsObserverPort::wake_fd() const {
 
 bool DdsObserverPort::has_world() const {
   return std::ranges::binary_search(impl_->book.swarms(true), impl_->book.own().swarm);
+}
+
+std::array<TopicEndpoints, kTopics.size()> DdsObserverPort::endpoints() const {
+  const auto there = impl_->book.endpoints();
+  std::array<TopicEndpoints, kTopics.size()> endpoints{};
+  // a counterpart of what would be an own reader is a writer
+  for (std::size_t i = 0; i < endpoints.size(); ++i) endpoints[i] = {there[2 * i], there[2 * i + 1]};
+  return endpoints;
+}
+
+std::uint64_t DdsObserverPort::lost() const {
+  return impl_->inbox.lost();
 }
 
 struct DdsSwarmFinder::Impl {

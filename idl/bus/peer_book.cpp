@@ -93,6 +93,15 @@ bool PeerBook::observed() const {
   });
 }
 
+std::array<std::uint32_t, 2 * kTopics.size()> PeerBook::endpoints() const {
+  std::array<std::uint32_t, 2 * kTopics.size()> counts{};
+  const std::lock_guard lock(mutex_);
+  for (const auto& [process, peer] : peers_) {
+    for (const auto& [entity, bit] : peer.found) ++counts[bit];
+  }
+  return counts;
+}
+
 std::optional<std::string> PeerBook::conflict() const {
   const std::lock_guard lock(mutex_);
   for (const auto& [process, peer] : peers_) {

@@ -51,6 +51,10 @@ class PeerBook {
   /// Whether somebody who has no part in a run reads this process's ticks.
   [[nodiscard]] bool observed() const;
 
+  /// How many counterparts of each endpoint of this process (the bits of endpoint_bit) all others have, whether or not
+  /// this process has that endpoint.
+  [[nodiscard]] std::array<std::uint32_t, 2 * kTopics.size()> endpoints() const;
+
   /// Why this process must not take part, in one line, or nothing. For an agent: a world of its swarm has another wire
   /// version. For a world: another world of its swarm, with another run, started earlier (the lower nonce, if at the
   /// same time).

@@ -185,5 +185,18 @@ TEST(PeerBook, IsObservedByWhoReadsTicksWithoutAPartInTheRun) {
   EXPECT_FALSE(book.observed());
 }
 
+TEST(PeerBook, CountsTheEndpointsOfAllOthers) {
+  PeerBook book(info(Role::Observer, 5));
+  const auto beacons = static_cast<std::size_t>(std::countr_zero(endpoint_bit(TopicId::Beacon, false)));
+  EXPECT_EQ(book.endpoints()[beacons], 0U);
+  find(book, kFirst, endpoint_bit(TopicId::Beacon, false), true, kNow_s);
+  find(book, kSecond, endpoint_bit(TopicId::Beacon, false), true, kNow_s);
+  find(book, kSecond, endpoint_bit(TopicId::Beacon, true), true, kNow_s);
+  EXPECT_EQ(book.endpoints()[beacons], 2U);
+  EXPECT_EQ(book.endpoints()[beacons + 1], 1U);
+  book.gone(kSecond);
+  EXPECT_EQ(book.endpoints()[beacons], 1U);
+}
+
 }  // namespace
 }  // namespace skein::bus
