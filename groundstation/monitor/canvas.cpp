@@ -40,19 +40,21 @@ void Canvas::dot(int x, int y, const Style& style, int rank) {
   cell.style = style;
 }
 
-void Canvas::line(const Dot& from, const Dot& to, const Style& style, int rank, int every) {
+int Canvas::line(const Dot& from, const Dot& to, const Style& style, int rank, int every, int phase) {
   double begin = 0.0;
   double end = 1.0;
   const Dot way{to.x - from.x, to.y - from.y};
-  if (!std::isfinite(way.x) || !std::isfinite(way.y)) return;
-  if (!clip(from.x, way.x, width(), begin, end) || !clip(from.y, way.y, height(), begin, end)) return;
+  if (!std::isfinite(way.x) || !std::isfinite(way.y)) return phase;
+  if (!clip(from.x, way.x, width(), begin, end) || !clip(from.y, way.y, height(), begin, end)) return phase;
   const double length = std::max(std::fabs(way.x), std::fabs(way.y)) * (end - begin);
   const int steps = static_cast<int>(std::ceil(length));
-  for (int i = 0; i <= steps; i += every) {
+  for (int i = 0; i <= steps; ++i) {
+    if ((phase + i) % every != 0) continue;
     const double t = steps == 0 ? begin : begin + (end - begin) * i / steps;
     dot(static_cast<int>(std::floor(from.x + t * way.x)), static_cast<int>(std::floor(from.y + t * way.y)), style,
         rank);
   }
+  return phase + steps;
 }
 
 void Canvas::draw(Grid& grid, int x, int y, Symbols symbols) const {

@@ -29,7 +29,8 @@ class Canvas {
   [[nodiscard]] int height() const { return 4 * height_; }  ///< in dots
   void dot(int x, int y, const Style& style, int rank = 0);
   /// The part of the straight line that is on the canvas. @param every only each so-manieth dot: 1 is a full line
-  void line(const Dot& from, const Dot& to, const Style& style, int rank = 0, int every = 1);
+  /// @param phase how many dots went before @return the phase with which a line from `to` on continues
+  int line(const Dot& from, const Dot& to, const Style& style, int rank = 0, int every = 1, int phase = 0);
   /// Copies what has dots to the grid, from (x, y) on.
   void draw(Grid& grid, int x, int y, Symbols symbols) const;
 

@@ -30,10 +30,9 @@ void draw_costs(Grid& grid, const Area& area, const watch::SwarmView& view, cons
   }
   const auto [least, largest] = std::ranges::minmax(costs, {}, &watch::CostPoint::cost);
   const bool logarithmic = largest.cost > kDecades * least.cost;
-  grid.put(
-      area.x, area.y,
-      fmt::format("agent {}: cost {}, generation {}", agent->id, cost_text(costs.back().cost), costs.back().generation),
-      heading, area.width);
+  grid.put(area.x, area.y,
+           fmt::format("agent {}: cost {}, gen {}", agent->id, cost_text(costs.back().cost), costs.back().generation),
+           heading, area.width);
   const Area plot{area.x, area.y + 1, area.width, area.height - 1};
   const auto height_of = [&](double cost) { return logarithmic ? math::log(cost) : cost; };
   const double low = height_of(least.cost);

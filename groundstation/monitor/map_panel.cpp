@@ -29,8 +29,9 @@ const Style kExpected{Colour::Yellow, false, false, false};
 
 void draw_line(Canvas& canvas, const Camera& camera, std::span<const Vec3> line_m, const Style& style, int rank,
                int every) {
+  int phase = 0;
   for (std::size_t i = 0; i + 1 < line_m.size(); ++i) {
-    canvas.line(camera.dot_of(line_m[i]), camera.dot_of(line_m[i + 1]), style, rank, every);
+    phase = canvas.line(camera.dot_of(line_m[i]), camera.dot_of(line_m[i + 1]), style, rank, every, phase);
   }
 }
 
@@ -38,8 +39,9 @@ void draw_outline(Canvas& canvas, const Camera& camera, const Box& box, const St
   const Vec2 low_m = on_plane(camera.plane(), box.min_m);
   const Vec2 high_m = on_plane(camera.plane(), box.max_m);
   const std::array<Vec2, 5> corners{low_m, Vec2{high_m.x(), low_m.y()}, high_m, Vec2{low_m.x(), high_m.y()}, low_m};
+  int phase = 0;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    canvas.line(camera.dot_of(corners[i]), camera.dot_of(corners[i + 1]), style, kZones, every);
+    phase = canvas.line(camera.dot_of(corners[i]), camera.dot_of(corners[i + 1]), style, kZones, every, phase);
   }
 }
 
@@ -54,8 +56,9 @@ void draw_outline(Canvas& canvas, const Camera& camera, const Cylinder& cylinder
     const double angle_rad = math::kTwoPi * k / kCorners;
     return Vec2(c.x() + r * math::cos(angle_rad), c.y() + r * math::sin(angle_rad));
   };
+  int phase = 0;
   for (int k = 0; k < kCorners; ++k) {
-    canvas.line(camera.dot_of(corner(k)), camera.dot_of(corner(k + 1)), style, kZones, every);
+    phase = canvas.line(camera.dot_of(corner(k)), camera.dot_of(corner(k + 1)), style, kZones, every, phase);
   }
 }
 

@@ -16,8 +16,7 @@ namespace {
 
 constexpr int kTableWidth = 43;  ///< of the narrow table, beside the map
 constexpr int kLeastMap = 24;
-constexpr std::string_view kKeys =
-    " q leave  n p agent  f follow  v plane  +- zoom  arrows pan  0 all  t table  ? more";
+constexpr std::string_view kKeys = " q leave  n p agent  f follow  v plane  +- zoom  arrows pan  t table  ? all keys";
 
 constexpr std::array<std::string_view, 13> kHelp{
     "q        leave; the swarm does not notice",

@@ -45,6 +45,19 @@ TEST(Canvas, AStraightLineHasNoHoles) {
   EXPECT_EQ(grid.at(3, 1).symbol, char32_t{0x2800 + 4 + 128});
 }
 
+TEST(Canvas, ADottedLineStaysDottedAcrossItsCorners) {
+  Canvas canvas(4, 1);
+  int phase = 0;
+  for (int x = 0; x < 7; ++x) phase = canvas.line({x + 0.5, 0.5}, {x + 1.5, 0.5}, {}, 0, 3, phase);
+  EXPECT_EQ(phase, 7);
+  Grid grid(4, 1);
+  canvas.draw(grid, 0, 0, Symbols::Braille);
+  EXPECT_EQ(grid.at(0, 0).symbol, char32_t{0x2800 + 1});  // dots 0, 3 and 6
+  EXPECT_EQ(grid.at(1, 0).symbol, char32_t{0x2800 + 8});
+  EXPECT_EQ(grid.at(2, 0).symbol, U' ');
+  EXPECT_EQ(grid.at(3, 0).symbol, char32_t{0x2800 + 1});
+}
+
 TEST(Canvas, OfALineFarBeyondOnlyThePartInsideIsDrawn) {
   Canvas canvas(4, 1);
   canvas.line({-1e12, 2.0}, {1e12, 2.0}, {});

@@ -28,8 +28,9 @@ TEST(Screen, In80x24ItShowsTwelveAgentsMapEventsCostsAndKeys) {
   for (AgentId id = 1; id <= 12; ++id) EXPECT_TRUE(has_row(text, id)) << id << "\n" << text;
   EXPECT_THAT(grid.row(0), HasSubstr("skein geese  flying  step 40"));
   EXPECT_THAT(text, HasSubstr("20.0 s  agent 3 controlled: peer"));
-  EXPECT_THAT(text, HasSubstr("agent 1: cost 2.5, generation 2"));
+  EXPECT_THAT(text, HasSubstr("agent 1: cost 2.5, gen 2"));
   EXPECT_THAT(grid.row(23), HasSubstr("q leave"));
+  EXPECT_THAT(grid.row(23), HasSubstr("? all keys"));
   EXPECT_THAT(text, HasSubstr("x-y"));
 }
 
