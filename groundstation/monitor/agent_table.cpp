@@ -52,16 +52,19 @@ std::string to_go_text(const AgentView& agent) {
   return fmt::format("{}{}", straight ? "~" : "", number(agent.to_go_m));
 }
 
+constexpr int kSeparation = 9;
+constexpr int kTiles = 7;  ///< only where there is a map
+
 const std::array<Column, 13> kColumns{{
     {"mode", 8, 0, mode_text},
     {"step", 6, 6, [](const AgentView& a) { return std::to_string(a.step); }},
     {"m/s", 6, 1, [](const AgentView& a) { return number(a.speed_mps); }},
     {"to go", 7, 2, to_go_text},
-    {"sep", 6, 7, [](const AgentView& a) { return number(a.separation_m); }},
+    {"sep", 6, kSeparation, [](const AgentView& a) { return number(a.separation_m); }},
     {"least", 6, 3, [](const AgentView& a) { return number(a.min_separation_m); }},
     {"cost", 7, 5, [](const AgentView& a) { return number(a.cost); }},
     {"gen", 4, 5, [](const AgentView& a) { return std::to_string(a.generation); }},
-    {"tiles", 5, 9, [](const AgentView& a) { return std::to_string(a.map_tiles); }},
+    {"tiles", 5, kTiles, [](const AgentView& a) { return std::to_string(a.map_tiles); }},
     {"B/s", 6, 8, [](const AgentView& a) { return number(a.rate.bytes_per_s); }},
     {"age", 5, 4, [](const AgentView& a) { return a.age_s ? fmt::format("{:.1f}", *a.age_s) : std::string("-"); }},
     {"late", 4, 8, [](const AgentView& a) { return std::to_string(a.late_steps); }},
@@ -70,9 +73,11 @@ const std::array<Column, 13> kColumns{{
 constexpr int kIdWidth = 4;
 
 /// Those for which there is room, in the order of the table.
-std::vector<const Column*> chosen(int width) {
+std::vector<const Column*> chosen(int width, bool has_map) {
   std::vector<const Column*> by_rank;
-  for (const Column& column : kColumns) by_rank.push_back(&column);
+  for (const Column& column : kColumns) {
+    if (has_map || column.rank != kTiles) by_rank.push_back(&column);
+  }
   std::ranges::stable_sort(by_rank, {}, &Column::rank);
   int left = width - kIdWidth;
   std::vector<const Column*> columns;
@@ -106,7 +111,7 @@ void draw_row(Grid& grid, const Area& area, int y, const AgentView& agent, bool 
 
 void draw_agents(Grid& grid, const Area& area, const watch::SwarmView& view, const Choices& choices) {
   if (area.height < 2) return;
-  const std::vector<const Column*> columns = chosen(area.width);
+  const std::vector<const Column*> columns = chosen(area.width, !view.cells.states.empty());
   const Style heading{Colour::Default, true, false, false};
   grid.put(area.x + 2, area.y, "id", heading);
   int x = area.x + kIdWidth;

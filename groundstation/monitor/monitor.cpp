@@ -1,6 +1,7 @@
 #include "groundstation/monitor/monitor.hpp"
 
 #include <fmt/core.h>
+#include <sys/select.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -53,6 +53,7 @@ std::optional<double> Observer::observed_s() const {
 
 std::optional<Ending> Observer::ended() const {
   if (const std::optional<Outcome> outcome = watch_.outcome()) return Ending{outcome->exit_code, outcome->reason};
+  if (const auto conflict = port_.conflict()) return Ending{kStartUp, *conflict};
   if (!watch_.heard_tick() && silence_s() > flags_.startup_timeout_s) {
     return Ending{kStartUp, fmt::format("no world of swarm {} in domain {} within {} s", flags_.swarm, flags_.domain,
                                         flags_.startup_timeout_s)};

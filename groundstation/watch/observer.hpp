@@ -15,7 +15,7 @@ namespace skein::watch {
 
 /// Why there is nothing more to observe.
 struct Ending {
-  int exit_code = 0;  ///< the run's own; 3 no world in time, 4 its world fell silent
+  int exit_code = 0;  ///< the run's own; 3 no world in time, or one of another version; 4 its world fell silent
   std::string reason;
 };
 
@@ -29,7 +29,8 @@ class Observer {
   [[nodiscard]] SwarmView view();
   [[nodiscard]] const SwarmWatch& watch() const { return watch_; }
   [[nodiscard]] const std::string& swarm() const { return flags_.swarm; }
-  /// Whether the run has ended, or there is none: no tick within the start-up timeout, or for 30 s after one.
+  /// Whether the run has ended, or there is none: no tick within the start-up timeout, or for 30 s after one; or none
+  /// that can be read.
   [[nodiscard]] std::optional<Ending> ended() const;
   /// Since the last tick, or the start (s).
   [[nodiscard]] double silence_s() const;

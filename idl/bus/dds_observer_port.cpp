@@ -1,7 +1,6 @@
 #include "idl/bus/dds_observer_port.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "idl/bus/dds_endpoint.hpp"
 #include "idl/bus/memory_bus.hpp"
@@ -69,8 +68,12 @@ bool DdsObserverPort::has_world() const {
   return std::ranges::binary_search(impl_->book.swarms(true), impl_->book.own().swarm);
 }
 
+std::optional<std::string> DdsObserverPort::conflict() const {
+  return impl_->book.conflict();
+}
+
 std::array<TopicEndpoints, kTopics.size()> DdsObserverPort::endpoints() const {
-  const auto there = impl_->book.endpoints();
+  const auto there = impl_->book.endpoints(impl_->participant.key());
   std::array<TopicEndpoints, kTopics.size()> endpoints{};
   // a counterpart of what would be an own reader is a writer
   for (std::size_t i = 0; i < endpoints.size(); ++i) endpoints[i] = {there[2 * i], there[2 * i + 1]};

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -42,6 +44,8 @@ class DdsObserverPort {
   [[nodiscard]] int wake_fd() const;
   /// Whether a world of the swarm is there.
   [[nodiscard]] bool has_world() const;
+  /// Why nothing of the swarm can be read, in one line: its world has another wire version.
+  [[nodiscard]] std::optional<std::string> conflict() const;
   /// By TopicId.
   [[nodiscard]] std::array<TopicEndpoints, kTopics.size()> endpoints() const;
   /// Samples that came faster than they were taken.

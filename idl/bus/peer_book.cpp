@@ -14,9 +14,10 @@ bool is_counted(Role own, Role peer) {
 }
 
 std::optional<std::string> conflict_between(const PeerInfo& own, const PeerInfo& world) {
-  if (own.role == Role::Agent && world.wire_version != own.wire_version) {
+  if (own.role != Role::World && world.wire_version != own.wire_version) {
     return "the world of swarm '" + own.swarm + "' speaks wire version " + std::to_string(world.wire_version) +
-           ", this agent version " + std::to_string(own.wire_version);
+           (own.role == Role::Agent ? ", this agent version " : ", this observer version ") +
+           std::to_string(own.wire_version);
   }
   const bool earlier = std::tie(world.start_stamp_ns, world.nonce) < std::tie(own.start_stamp_ns, own.nonce);
   const bool predecessor = own.run != 0 && world.run == own.run;  // it died, and DDS has not noticed yet
@@ -93,10 +94,11 @@ bool PeerBook::observed() const {
   });
 }
 
-std::array<std::uint32_t, 2 * kTopics.size()> PeerBook::endpoints() const {
+std::array<std::uint32_t, 2 * kTopics.size()> PeerBook::endpoints(const ProcessKey& own) const {
   std::array<std::uint32_t, 2 * kTopics.size()> counts{};
   const std::lock_guard lock(mutex_);
   for (const auto& [process, peer] : peers_) {
+    if (process == own) continue;
     for (const auto& [entity, bit] : peer.found) ++counts[bit];
   }
   return counts;

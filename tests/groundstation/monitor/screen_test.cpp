@@ -60,11 +60,23 @@ TEST(Screen, TheTableTakesThePlaceOfTheMapWithMoreColumns) {
     EXPECT_THAT(text, HasSubstr(column));
   }
   EXPECT_THAT(text, Not(HasSubstr("x-y")));
+  EXPECT_THAT(text, Not(HasSubstr("tiles")));
+}
+
+TEST(Screen, WhereThereIsAMapTheTableHasItsTiles) {
+  Choices choices;
+  choices.table = true;
+  auto view = row_of(12);
+  view.cells.states = {CellState::Free};
+  const std::string text = draw_screen(view, choices, kGeese, 80, 24).text();
+  for (const char* column : {"mode", "step", "m/s", "to go", "least", "cost", "gen", "tiles", "B/s", "age", "late"}) {
+    EXPECT_THAT(text, HasSubstr(column));
+  }
 }
 
 TEST(Screen, InAWideTerminalMapAndAllColumnsAreThere) {
   const std::string text = draw_screen(row_of(12), {}, kGeese, 200, 50).text();
-  for (const char* word : {"x-y", "tiles", "B/s", "late", "safety"}) EXPECT_THAT(text, HasSubstr(word));
+  for (const char* word : {"x-y", "sep", "B/s", "late", "safety"}) EXPECT_THAT(text, HasSubstr(word));
 }
 
 TEST(Screen, MoreAgentsThanRowsScrollWithTheSelectedOne) {

@@ -73,5 +73,15 @@ TEST(DdsObserverPort, CountsWhoWritesAndReads) {
   EXPECT_TRUE(eventually({observer.wake_fd()}, [&] { return of(observer, TopicId::Beacon).writers == 1; }));
 }
 
+TEST(DdsObserverPort, SaysWhyNothingCanBeRead) {
+  constexpr std::array<AgentId, 1> kOne{1};
+  const DdsObserverPort observer(config(0, 1200));
+  EXPECT_FALSE(observer.conflict());
+  DdsConfig newer = config(0, 1000);
+  ++newer.wire_version;
+  const DdsWorldPort world(newer, kOne);
+  EXPECT_TRUE(eventually({observer.wake_fd()}, [&] { return observer.conflict().has_value(); }));
+}
+
 }  // namespace
 }  // namespace skein::bus
