@@ -10,9 +10,9 @@ build_packages=(
   g++ cmake ninja-build pkg-config
   libfastrtps-dev libfastcdr-dev fastddsgen default-jre-headless # DDS; the generator of wire structs runs on Java
   libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libyaml-cpp-dev
-  libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev libncurses-dev
 )
-check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 ccache
+check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 tmux ccache
   clang-14 clang-tidy-14 libclang-rt-14-dev) # sanitizers and libFuzzer
 container_packages=(python3 iptables iproute2 util-linux libfaketime) # faults are injected from outside
 if [[ ${SKEIN_ENGINE:-podman} == podman ]]; then
