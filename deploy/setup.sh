@@ -9,7 +9,7 @@ set -euo pipefail
 build_packages=(
   g++ cmake ninja-build pkg-config
   libfastrtps-dev libfastcdr-dev fastddsgen default-jre-headless # DDS; the generator of wire structs runs on Java
-  libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libyaml-cpp-dev
+  libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libzstd-dev libyaml-cpp-dev
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
 check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3)
