@@ -43,8 +43,6 @@ class Writer {
   void finish();
 
   [[nodiscard]] std::uint64_t messages() const { return statistics_.message_count; }
-  /// Bytes of uncompressed records that wait for their chunk's end.
-  [[nodiscard]] std::size_t waiting_bytes() const { return chunk_.size(); }
 
  private:
   void emit(ByteView bytes);

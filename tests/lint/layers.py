@@ -26,6 +26,7 @@ OWNED = (
     (r"CLI/", r"CLI11.*", ("idl/process", "simworld", "agent", "groundstation")),
     (r"spdlog/", r"spdlog.*", ("idl/bus", "idl/process", "simworld", "agent", "groundstation")),
     (r"sleef\.h", r"PkgConfig::SLEEF|sleef", ("planner/core/math",)),
+    (r"zstd\.h|zlib\.h", r"PkgConfig::ZSTD|ZLIB::ZLIB", ("groundstation/mcap",)),
     (r"Random123/", r"(?!)", ("planner/core/random",)),
 )
 
