@@ -13,11 +13,14 @@ using VerbAction = std::function<int()>;
 [[nodiscard]] VerbAction add_doctor_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_monitor_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_profile_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_dump_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_record_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_run_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_status_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_sweep_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_topics_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_validate_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_verify_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_version_verb(CLI::App& app);
 
 }  // namespace skein

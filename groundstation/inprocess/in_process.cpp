@@ -27,6 +27,7 @@ class Harness final : public ProcessControl {
  public:
   Harness(const Scenario& scenario, const InProcessOptions& options)
       : scenario_(scenario), options_(options), bus_(kWorldNonce) {
+    if (options.tap) bus_.set_tap(options.tap);  // the world publishes the mission at once
     make_world();
     if (options.tamper) bus_.set_tamper(options.tamper);
     wall_.created_s = steady_now_s();

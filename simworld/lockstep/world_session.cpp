@@ -28,7 +28,8 @@ WorldSession::WorldSession(const Scenario& scenario, SessionOptions options, bus
       pacer_(options_.pace, scenario.mission.step_s),
       run_(options_.run, scenario.mission, scenario.world, options_.fail_fast),
       admission_(options_.run, options_.nonce, ids_of(scenario.mission), deadline_s_),
-      interventions_(std::move(options_.faults), std::move(options_.replay), control) {
+      interventions_(std::move(options_.faults), std::move(options_.replay), control),
+      gate_(options_.recorded) {
   times_.created_s = now_s;
   tick_.run = options_.run;
   interventions_.set_recorder(options_.recorder);
@@ -145,7 +146,7 @@ void WorldSession::repeat(const Repeated& samples, double now_s) {
 void WorldSession::poll_running(double now_s) {
   if (now_s < pause_until_s_) return;
   drop_silent(now_s);
-  const bool paused = barrier_.complete() && !pacer_.may_open(now_s);
+  const bool paused = barrier_.complete() && (!pacer_.may_open(now_s) || !is_recorded(now_s));
   if (!paused && (interventions_.holding() || barrier_.complete())) {
     if (!is_held(now_s)) return advance(now_s);
     if (!interventions_.awaits_return()) return;  // who is to come back must hear that it was dropped
@@ -155,7 +156,7 @@ void WorldSession::poll_running(double now_s) {
 }
 
 void WorldSession::poll_closing(double now_s) {
-  if (barrier_.complete() || now_s - times_.finished_s > kGoodbye_s) {
+  if ((barrier_.complete() && is_recorded(now_s)) || now_s - times_.finished_s > kGoodbye_s) {
     state_ = State::Done;
   } else if (now_s - last_sent_s_ >= kWaitingTick_s) {
     repeat_tick(now_s);

@@ -20,6 +20,7 @@
 #include "simworld/lockstep/interventions.hpp"
 #include "simworld/lockstep/pacer.hpp"
 #include "simworld/lockstep/recorder.hpp"
+#include "simworld/lockstep/recorder_gate.hpp"
 #include "simworld/lockstep/repeats.hpp"
 #include "simworld/lockstep/run.hpp"
 
@@ -34,6 +35,7 @@ struct SessionOptions {
   Pace pace;
   std::vector<Fault> faults;
   std::vector<RosterChange> replay;  ///< losses and returns of another run, repeated at the same rounds
+  bool recorded = false;             ///< a recorder keeps every sample: the world waits for what recorded() says
   Recorder* recorder = nullptr;      ///< is told of each round before its tick goes out; nullptr for none
 };
 
@@ -65,6 +67,12 @@ class WorldSession {
   void process_ended(AgentId agent, double now_s);
   /// And that it is stopped, as it was told.
   void process_stopped(AgentId agent) { interventions_.process_stopped(agent); }
+  /// The recorder has heard the tick of `round`, and lacks a sample of those agents' parts in it.
+  void recorded(std::uint32_t round, std::vector<AgentId> lacking) { gate_.say(round, std::move(lacking)); }
+  /// Nothing is recorded any more: nobody waits for it.
+  void give_up_recorder() { gate_.give_up(); }
+  /// Whether that is so, or the recorder left an answered round unrecorded for the deadline.
+  [[nodiscard]] bool recorder_given_up() const { return gate_.given_up(); }
   /// The run must not start (another world has the swarm): ends with that exit code. Without effect once it runs.
   void refuse_start(const std::string& reason, double now_s, ExitCode code = ExitCode::StartUp);
   /// Does not wait for anybody any more.
@@ -114,6 +122,7 @@ class WorldSession {
   void drop_silent(double now_s);
   void add_loss(AgentId agent, LossReason reason);
   [[nodiscard]] bool is_live(AgentId agent) const;
+  [[nodiscard]] bool is_recorded(double now_s);
   [[nodiscard]] bool is_held(double now_s);
   void find_returning(double now_s);
   void start(double now_s);
@@ -140,6 +149,7 @@ class WorldSession {
   Admission admission_;
   Interventions interventions_;
   Barrier barrier_;
+  RecorderGate gate_;
   State state_ = State::Waiting;
   Tick tick_;
   std::vector<Loss> lost_;         ///< to be dropped with the next tick

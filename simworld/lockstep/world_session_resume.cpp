@@ -95,9 +95,10 @@ void WorldSession::rematch(double now_s) {
 
 void WorldSession::repeat_tick(double now_s) {
   publish_tick(now_s);
-  for (const AgentId agent : barrier_.waiting_for()) {
-    const auto entry = std::ranges::find(tick_.roster, agent, &RosterEntry::agent);
-    if (entry->sense) publish_sense(*entry, now_s);
+  const std::vector<AgentId> waiting = barrier_.waiting_for();
+  for (const RosterEntry& entry : tick_.roster) {
+    const bool lacks = std::ranges::binary_search(waiting, entry.agent) || gate_.lacks(tick_, entry.agent);
+    if (entry.sense && lacks) publish_sense(entry, now_s);
   }
 }
 

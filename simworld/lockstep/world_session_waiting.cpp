@@ -46,6 +46,13 @@ void WorldSession::start(double now_s) {
   go_on(first, now_s);
 }
 
+/// @pre all live agents have answered the open tick
+bool WorldSession::is_recorded(double now_s) {
+  if (gate_.passes(tick_, [this](AgentId agent) { return is_live(agent); })) return true;
+  if (gate_.waits_s(tick_.round, now_s) - away_s_ >= deadline_s_) gate_.give_up();
+  return gate_.given_up();
+}
+
 void WorldSession::refuse_start(const std::string& reason, double now_s, ExitCode code) {
   if (state_ != State::Waiting) return;
   start_failure_ = reason;
