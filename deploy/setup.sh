@@ -13,7 +13,8 @@ build_packages=(
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev libncurses-dev
 )
 check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 tmux nodejs npm ccache
-  clang-14 clang-tidy-14 libclang-rt-14-dev) # sanitizers and libFuzzer
+  clang-14 clang-tidy-14 libclang-rt-14-dev # sanitizers and libFuzzer
+  cyclonedds-dev cyclonedds-tools) # a second vendor attaches
 container_packages=(python3 iptables iproute2 util-linux libfaketime) # faults are injected from outside
 if [[ ${SKEIN_ENGINE:-podman} == podman ]]; then
   container_packages+=(podman runc containernetworking-plugins golang-github-containernetworking-plugin-dnsname

@@ -17,7 +17,8 @@ namespace skein {
 namespace {
 
 constexpr double kHearAll_s =
-    1.5;  ///< in which all swarms of a domain are heard: they announce themselves every second
+    1.5;                         ///< in which all swarms of a domain are heard: they announce themselves every second
+constexpr double kLook_s = 1.0;  ///< a network that DDS could not follow is looked at again
 constexpr int kUsage = 2;
 constexpr int kStartUp = 3;
 
@@ -34,14 +35,14 @@ SwarmChoice choose_swarm(const CommonFlags& flags, const SignalWatch& signals) {
   double until_s = steady_now_s() + flags.startup_timeout_s;
   std::vector<std::string> swarms;
   while (steady_now_s() < until_s) {
-    wait_readable({finder.wake_fd(), signals.fd(), network.fd()}, std::max(0.0, until_s - steady_now_s()));
+    wait_readable({finder.wake_fd(), signals.fd(), network.fd()}, std::clamp(until_s - steady_now_s(), 0.0, kLook_s));
     while (const std::optional<int> signal = signals.take()) {
       if (*signal != SIGWINCH) return {"", 128 + *signal, ended_by(*signal)};
     }
     const bool first = swarms.empty();
-    if (const auto what = network.follow(
-            first, [&] { finder.renew(); }, steady_now_s()))
-      fmt::print(stderr, "{}\n", *what);
+    const auto what = network.follow(
+        first, [&] { finder.renew(); }, steady_now_s());
+    if (what) fmt::print(stderr, "{}\n", *what);
     swarms = finder.swarms();
     if (first && !swarms.empty()) until_s = std::min(until_s, steady_now_s() + kHearAll_s);
   }

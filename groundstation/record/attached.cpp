@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <limits>
 
 #include "groundstation/attach/choose_swarm.hpp"
 #include "groundstation/record/bus_recorder.hpp"
 #include "groundstation/record/recording_file.hpp"
 #include "idl/process/dds_config.hpp"
+#include "idl/process/network_watch.hpp"
 #include "idl/process/poll.hpp"
 
 namespace skein {
@@ -20,6 +22,7 @@ constexpr double kFlush_s = 1.0;     ///< of the run are lost at most when this 
 constexpr double kSilence_s = 30.0;  ///< without a sample, as agents take it
 constexpr double kLast_s = 0.5;      ///< for what is still on its way when the last tick has come
 constexpr double kGone_s = 2.0;      ///< the same when the world is gone
+constexpr double kNeed_s = 1.0;      ///< without a sample: then a network that changed matters
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
 constexpr int kUsage = 2;
 constexpr int kStartUp = 3;
@@ -30,14 +33,30 @@ struct Ending {
   std::string reason;
 };
 
-Ending follow(const CommonFlags& flags, const SignalWatch& signals, bus::DdsRecorderPort& port, BusRecorder& recorder,
-              RecordingFile& file) {
+/// Whether the world is there, was there, or went.
+struct Presence {
+  bool had_world = false;
+  double gone_s = kNever_s;
+
+  /// @return whether it is gone for good
+  bool lost(bool has_world, double now_s) {
+    had_world = had_world || has_world;
+    gone_s = had_world && !has_world ? std::min(gone_s, now_s) : kNever_s;
+    return now_s - gone_s >= kGone_s;
+  }
+};
+
+Ending follow(const CommonFlags& flags, const SignalWatch& signals, NetworkWatch& network, bus::DdsRecorderPort& port,
+              BusRecorder& recorder, RecordingFile& file) {
   const double start_s = steady_now_s();
   double heard_s = start_s;
   double flushed_s = start_s;
   double last_s = kNever_s;  // when the last tick came, or the world went
-  double gone_s = kNever_s;
-  bool had_world = false;
+  Presence world;
+  const auto renew = [&] {
+    port.renew();
+    world = {};  // nobody is known to the new one, nor gone
+  };
   while (true) {
     wait_readable({signals.fd()}, kTake_s);
     const double now_s = steady_now_s();
@@ -50,10 +69,8 @@ Ending follow(const CommonFlags& flags, const SignalWatch& signals, bus::DdsReco
     }
     if (recorder.rounds().finished()) last_s = std::min(last_s, now_s);
     if (now_s - last_s >= kLast_s) return {0, "the run ended"};
-    const bool has_world = port.has_world();
-    had_world = had_world || has_world;
-    gone_s = had_world && !has_world ? std::min(gone_s, now_s) : kNever_s;
-    if (now_s - gone_s >= kGone_s) return {kLost, "the world is gone, without a last tick"};
+    if (const auto what = network.follow(now_s - heard_s > kNeed_s, renew, now_s)) fmt::print(stderr, "{}\n", *what);
+    if (world.lost(port.has_world(), now_s)) return {kLost, "the world is gone, without a last tick"};
     if (!recorder.heard_tick() && now_s - start_s >= flags.startup_timeout_s) {
       return {kStartUp, fmt::format("no world of swarm {} in domain {} within {} s", flags.swarm, flags.domain,
                                     flags.startup_timeout_s)};
@@ -78,9 +95,10 @@ Recorded record_attached(const RecordPlan& plan) {
   CommonFlags flags = plan.common;
   flags.swarm = choice.swarm;
   RecordingFile file(plan.file, {"attached", flags.swarm, plan.scenario, false});
+  NetworkWatch network;
   bus::DdsRecorderPort port(dds_config(flags, kWorldId, random_id()), {false, plan.inbox});
   BusRecorder recorder(port, [&](const TakenSample& sample) { file.add(sample); });
-  Ending ending = follow(flags, signals, port, recorder, file);
+  Ending ending = follow(flags, signals, network, port, recorder, file);
   file.finish(recorder.gaps().texts());
   if (!file.failure().empty()) ending = {kUsage, file.failure()};
   recorded.exit_code = ending.exit_code;

@@ -12,6 +12,7 @@
 #include "groundstation/record/bus_recorder.hpp"
 #include "groundstation/record/recording_file.hpp"
 #include "idl/process/common_flags.hpp"
+#include "idl/process/network_watch.hpp"
 
 namespace skein {
 
@@ -35,13 +36,15 @@ class BarrierRecorder {
   void take();
 
   RecordingFile file_;
+  NetworkWatch network_;
   bus::DdsRecorderPort port_;
   BusRecorder recorder_;
   bool failure_told_ = false;
   std::uint32_t told_round_ = 0;
   bool told_whole_ = false;
   double told_s_ = 0.0;
-  double flushed_s_ = 0.0;
+  double heard_s_;
+  double flushed_s_;
 };
 
 }  // namespace skein

@@ -5,6 +5,7 @@
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -109,26 +110,37 @@ std::vector<std::string> all_partitions(const std::string& swarm) {
   return {swarm, swarm + "/sense/*"};
 }
 
-}  // namespace
-
-// Members end in the opposite order: endpoints, then the participant, then what its listeners use.
-struct DdsRecorderPort::Impl {
-  Impl(const DdsConfig& config, RecorderReads reads)
-      : book(observer(config)),
-        inbox(reads.inbox, wake),
-        participant(config, all_partitions(config.swarm), book, wake),
+// Members end in the opposite order: readers, then the participant.
+struct Readers {
+  Readers(const DdsConfig& config, bool reliable, PeerBook& book, const Wake& wake, Inbox<RawSample>& inbox)
+      : participant(config, all_partitions(config.swarm), book, wake),
         subscriber(participant.subscriber(all_partitions(config.swarm))) {
     for (const TopicSpec& spec : kTopics) {
-      readers.push_back(std::make_unique<BytesReader>(participant, subscriber, spec, reads.reliable, inbox));
+      all.push_back(std::make_unique<BytesReader>(participant, subscriber, spec, reliable, inbox));
     }
   }
 
+  Participant participant;
+  fdds::Subscriber* subscriber;
+  std::vector<std::unique_ptr<BytesReader>> all;
+};
+
+}  // namespace
+
+// Members end in the opposite order: what is on the bus, then what its listeners use.
+struct DdsRecorderPort::Impl {
+  Impl(const DdsConfig& own_config, RecorderReads reads)
+      : config(own_config), reliable(reads.reliable), book(observer(config)), inbox(reads.inbox, wake) {
+    join();
+  }
+  void join() { bus.emplace(config, reliable, book, wake, inbox); }
+
+  const DdsConfig config;
+  const bool reliable;
   Wake wake;
   PeerBook book;
   Inbox<RawSample> inbox;
-  Participant participant;
-  fdds::Subscriber* subscriber;
-  std::vector<std::unique_ptr<BytesReader>> readers;
+  std::optional<Readers> bus;
 };
 
 DdsRecorderPort::DdsRecorderPort(const DdsConfig& config, RecorderReads reads)
@@ -137,6 +149,13 @@ DdsRecorderPort::~DdsRecorderPort() = default;
 
 void DdsRecorderPort::take(std::vector<RawSample>& into) {
   impl_->inbox.drain(into);
+}
+
+void DdsRecorderPort::renew() {
+  impl_->bus.reset();
+  impl_->book.renew();
+  impl_->join();
+  impl_->wake.ring();
 }
 
 int DdsRecorderPort::wake_fd() const {

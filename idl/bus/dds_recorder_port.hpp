@@ -41,6 +41,8 @@ class DdsRecorderPort {
 
   /// Moves everything that has arrived to the end of `into`; returns at once.
   void take(std::vector<RawSample>& into);
+  /// As DdsAgentGroup::renew(); has_world() is false until the world is found again, and the mission comes once more.
+  void renew();
   /// Readable when something arrived or a process came or went since the last take().
   [[nodiscard]] int wake_fd() const;
   /// Whether a world of the swarm is there.

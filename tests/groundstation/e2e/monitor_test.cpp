@@ -13,7 +13,7 @@
 namespace skein::e2e {
 namespace {
 
-const std::string kDomain = "103";
+const std::string kDomain = "93";
 constexpr double kLong_s = 60.0;  ///< for what must come, however busy the machine is
 
 /// rendezvous-ring of twelve agents, on its way.
@@ -150,7 +150,7 @@ TEST(Monitor, LeavesTheTerminalCleanHoweverItEnds) {
 
 TEST(Monitor, WithoutASwarmOrATerminalItSaysSoInOneLine) {
   const Tmux nobody(80, 24, and_after(monitor("monitor-nobody", "--startup-timeout 0.5")));
-  EXPECT_TRUE(nobody.shows("no world of swarm monitor-nobody in domain 103 within 0.5 s", kLong_s)) << nobody.screen();
+  EXPECT_TRUE(nobody.shows("no world of swarm monitor-nobody in domain 93 within 0.5 s", kLong_s)) << nobody.screen();
   EXPECT_TRUE(nobody.shows("left-clean-3", kLong_s)) << nobody.screen();
   const Ended piped = run_program({binary("skein"), "monitor", "--domain", kDomain}, 30.0);
   EXPECT_EQ(piped.exit_code, 2) << piped.err;

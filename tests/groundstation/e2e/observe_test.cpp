@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kDomain = "104";
+const std::string kDomain = "94";
 const std::string kScenario = std::string(SKEIN_SOURCE_DIR) + "/tests/data/small.yaml";
 
 /// Two agents that fly for a while.
@@ -102,10 +102,10 @@ TEST(Observe, WithoutASwarmThereIsOneLineAndExitCode3) {
   for (const std::string verb : {"status", "topics"}) {
     const Ended nobody = run_program(ask(verb, {"--startup-timeout", "0.3"}), 30.0);
     EXPECT_EQ(nobody.exit_code, 3) << nobody.err;
-    EXPECT_EQ(nobody.err, "skein " + verb + ": no swarm in domain 104 within 0.3 s\n");
+    EXPECT_EQ(nobody.err, "skein " + verb + ": no swarm in domain 94 within 0.3 s\n");
     const Ended named = run_program(ask(verb, {"--startup-timeout", "0.3", "--swarm", "geese"}), 30.0);
     EXPECT_EQ(named.exit_code, 3) << named.err;
-    EXPECT_EQ(named.err, "skein " + verb + ": no world of swarm geese in domain 104 within 0.3 s\n");
+    EXPECT_EQ(named.err, "skein " + verb + ": no world of swarm geese in domain 94 within 0.3 s\n");
     EXPECT_TRUE(named.out.empty());
   }
 }

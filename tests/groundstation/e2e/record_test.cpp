@@ -19,8 +19,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr unsigned kDomain = 101;
-constexpr unsigned kOtherDomain = 102;
+constexpr unsigned kDomain = 91;
+constexpr unsigned kOtherDomain = 92;
 const std::string kSmall = std::string(SKEIN_SOURCE_DIR) + "/tests/data/small.yaml";
 
 Ended verify(const std::vector<std::string>& files) {

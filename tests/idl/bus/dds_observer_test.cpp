@@ -16,7 +16,7 @@ using Nonces = std::vector<std::uint64_t>;
 
 DdsConfig config(AgentId id, std::uint64_t nonce) {
   DdsConfig c;
-  c.domain = 103;
+  c.domain = 23;
   c.swarm = testing::unique_swarm(::testing::UnitTest::GetInstance()->current_test_info()->name());
   c.id = id;
   c.nonce = nonce;

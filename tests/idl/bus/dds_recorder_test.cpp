@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <set>
 
 #include "idl/convert/cdr.hpp"
@@ -112,6 +113,23 @@ TEST(DdsRecorder, AFullInboxLosesTheOldestAndTheNumbersTell) {
   const auto beacons = swarm.of(TopicId::Beacon);
   EXPECT_GE(beacons.back().sequence - before, 50U);
   EXPECT_LT(beacons.size(), 50U);
+}
+
+TEST(DdsRecorder, MadeAnewKeepsWhatHadArrivedAndHearsOn) {
+  Swarm swarm(kReliable, {true});
+  ASSERT_TRUE(swarm.is_heard());
+  swarm.agent.publish(testing::beacon(2, 1));
+  ASSERT_TRUE(swarm.agent.flush(std::chrono::seconds(10)));
+  swarm.recorder.renew();
+  swarm.recorder.take(swarm.taken);
+  const RawSample before = swarm.of(TopicId::Beacon).back();
+  EXPECT_EQ(before.payload, to_cdr(testing::beacon(2, 1)));
+  swarm.taken.clear();
+  ASSERT_TRUE(swarm.is_heard());
+  EXPECT_TRUE(swarm.recorder.has_world());
+  const RawSample after = swarm.of(TopicId::Beacon).front();
+  EXPECT_EQ(after.writer, before.writer);
+  EXPECT_GT(after.sequence, before.sequence);
 }
 
 }  // namespace
