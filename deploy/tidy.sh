@@ -38,7 +38,7 @@ else
   listed=$(changed)
   mapfile -t files < <(for file in $listed; do looked_at_with "$file"; done | sort -u |
     while read -r file; do ! grep -qF "$PWD/$file" "$build/compile_commands.json" || echo "$file"; done)
-  filter="/($(grep 'hpp$' <<<"$listed" | sed 's/[.]/\\./g' | paste -sd '|'))\$"
+  filter="/($({ grep 'hpp$' <<<"$listed" || true; } | sed 's/[.]/\\./g' | paste -sd '|'))\$"
   headers=("--header-filter=$filter") # what stood before is for --full
 fi
 ((${#files[@]})) || { echo 'tidy: no file to look at'; exit 0; }
