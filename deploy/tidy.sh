@@ -2,7 +2,7 @@
 # Runs clang-tidy 14 over our sources.
 #
 # usage: deploy/tidy.sh [--full | FILE...]    without arguments: what changed since the commit in deploy/tidy.base
-# After a --full without a finding, write `git rev-parse HEAD` into deploy/tidy.base.
+# After a run without a finding, write `git rev-parse HEAD` into deploy/tidy.base.
 # Needs the package clang-tidy-14 and a configured build/release (deploy/check.sh leaves one).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
