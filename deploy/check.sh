@@ -1,17 +1,16 @@
 #!/usr/bin/env bash
-# Sets up as quickstart.sh does, builds everything with its tests, and runs them: those of one machine first, then those
-# in containers, and meanwhile what is quiet beside them: sanitizers, fuzzing, clang-tidy on what changed. The last lines
-# say what held.
+# Sets up as quickstart.sh does, builds everything with its tests, and runs them; then sanitizers, fuzzing, clang-tidy on
+# what changed, and beside those, if asked for, the tests in containers. The last lines say what held.
 #
-# usage: deploy/check.sh [--no-containers]     for machines without root or without an engine for containers
+# usage: deploy/check.sh [--containers]   the tests in containers too: they need an engine, root, and a quarter of an hour
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-purpose=container
-if [[ ${1:-} == --no-containers ]]; then
-  purpose=check
+purpose=check
+if [[ ${1:-} == --containers ]]; then
+  purpose=container
 elif [[ $# -gt 0 ]]; then
-  echo "check: unknown argument '$1'; allowed: --no-containers" >&2
+  echo "check: unknown argument '$1'; allowed: --containers" >&2
   exit 2
 fi
 
@@ -45,7 +44,7 @@ echo 'check: 3/4 tests'
 run_tests --label-exclude '^(bench|container)$' --timeout 600 -j2
 wait "$!"
 
-echo 'check: 4/4 containers, sanitizers, fuzzing, clang-tidy'
+echo 'check: 4/4 clang-tidy, sanitizers, fuzzing; containers if asked for'
 start static >build/static.log 2>&1
 beside=$!
 held=0

@@ -15,7 +15,7 @@ case ${1:-} in
   *) echo "sanitize: unknown argument '$1'; allowed: --full" >&2 && exit 2 ;;
 esac
 build=build/dev
-work=$(mktemp -d "${TMPDIR:-/tmp}/skein-sanitize.XXXXXX")
+work=$(mktemp -d)
 clean_up() {
   local left
   left=$(jobs -p)

@@ -1,10 +1,10 @@
 // Transit: each UAV crosses unknown space to its goal, and shares with its peers what its sensor saw.
 //
-//   phase     mode of the round                       publishes                        commands
-//   planning  Ready: there is nothing to plan before  nothing                          nothing
-//   flying    Flying, Arrived, Unreachable, Deadlock  at each decision: obstacle map   straight to the decision's
-//   target flying    Rejoined: came back after a loss        the same, without an intent      nothing that counts
-//   finished  as before                               nothing                          nothing
+//   phase     mode                                    publishes                  commands
+//   planning  Ready: there is nothing to plan before  nothing                    nothing
+//   flying    Flying, Arrived, Unreachable, Deadlock  at decisions: its map      straight to the decision's target
+//   flying    Rejoined: came back after a loss        the same, without intent   nothing that counts
+//   finished  as before                               nothing                    nothing
 // A decision is taken every decision_s, in the flight steps 1, 1 + D, 1 + 2 D ...; a sample composed in one is heard,
 // if the radio carries it (planner/core/radio), in the next. The intent in it stands for the next decision. In between
 // the UAV flies on at constant velocity, and its map takes in what its sensor sees. Who came back flies nothing any

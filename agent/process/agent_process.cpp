@@ -25,7 +25,6 @@ constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 constexpr double kWorldTimeout_s = 30.0;
 constexpr double kSilence_s = 2.5;  ///< a world that waits repeats its tick every second
-constexpr double kNeed_s = 1.0;     ///< without a tick: then a network that changed matters
 constexpr double kLook_s = 0.25;    ///< at most, between two looks at what may be due: others serve meanwhile
 
 /// The sessions of one process, over the ports that they share.
@@ -158,7 +157,7 @@ bool lacks_world(const AgentArguments& arguments, bool heard, double heard_s) {
 template <typename Listener>
 void follow_network(NetworkWatch& network, bus::DdsAgentGroup& group, const Listener& listener, bool takes_part) {
   const double now_s = steady_now_s();
-  const bool in_need = !takes_part || now_s - listener.heard_world_s() > kNeed_s;
+  const bool in_need = !takes_part || now_s - listener.heard_world_s() > kInNeed_s;
   if (const auto what = network.follow(
           in_need, [&] { group.renew(); }, now_s))
     spdlog::warn("{}", *what);

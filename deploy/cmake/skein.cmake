@@ -9,9 +9,9 @@ set(SKEIN_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them; empty 
 find_program(SKEIN_CCACHE ccache)
 if(SKEIN_CCACHE)
   execute_process(COMMAND sh -c "folder=$(ccache --get-config cache_dir) && mkdir -p \"$folder\" && test -w \"$folder\""
-    RESULT_VARIABLE no_cache ERROR_QUIET)
+    RESULT_VARIABLE cache_status ERROR_QUIET)
 endif()
-if(SKEIN_CCACHE AND no_cache EQUAL 0)
+if(SKEIN_CCACHE AND cache_status EQUAL 0)
   # one cache for every clone and for the image of deploy/Containerfile
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
     CCACHE_COMPILERCHECK=content ${SKEIN_CCACHE})

@@ -16,9 +16,9 @@
 namespace skein {
 namespace {
 
-constexpr double kSilence_s = 30.0;  ///< without a tick of any phase, as agents take it
-constexpr double kLastTick_s = 2.0;  ///< for a last tick that is still on its way when its world is gone
-constexpr double kNeed_s = 1.0;      ///< without a tick: then a network that changed matters
+constexpr double kSilence_s = 30.0;     ///< without a tick of any phase, as agents take it
+constexpr double kLastTick_s = 2.0;     ///< for a last tick that is still on its way when its world is gone
+constexpr double kFoundAgain_s = 20.0;  ///< in which a world is found again, or is gone: as long as its lease lasts
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 
@@ -42,7 +42,7 @@ class Watch {
  private:
   /// Sleeps until there is something to do, `limit_s` at most. @return whether a signal ended the watch
   bool wait(int fd, double limit_s) {
-    wait_readable({fd, signals_.fd(), network_.fd()}, std::clamp(limit_s, 0.0, kNeed_s));
+    wait_readable({fd, signals_.fd(), network_.fd()}, std::clamp(limit_s, 0.0, kInNeed_s));
     if (const auto signal = signals_.take()) {
       ended_ = without_result(128 + *signal, ended_by(*signal));
     }
@@ -69,19 +69,22 @@ class Watch {
     double heard_s = steady_now_s();  // a tick, or that the world came or went
     bool has_world = false;
     bool had_world = false;
+    double gone_after_s = kLastTick_s;
     while (!run.outcome()) {
       if (port.has_world() != has_world) {
         has_world = !has_world;
         had_world = true;
+        gone_after_s = kLastTick_s;
         heard_s = steady_now_s();
       }
       const bool gone = had_world && !has_world;
-      const double limit_s = gone ? kLastTick_s : run.heard_tick() ? kSilence_s : flags.startup_timeout_s;
+      const double limit_s = gone ? gone_after_s : run.heard_tick() ? kSilence_s : flags.startup_timeout_s;
       const double left_s = heard_s + limit_s - steady_now_s();
       if (left_s <= 0.0) return silence(flags, gone, run.heard_tick(), limit_s);
       if (wait(port.wake_fd(), left_s)) return *ended_;
-      if (follow_network(port, steady_now_s() - heard_s > kNeed_s)) {  // nobody is known to the new one, nor gone
-        has_world = had_world = false;
+      if (follow_network(port, steady_now_s() - heard_s > kInNeed_s)) {  // nobody is known to the new one yet
+        has_world = false;
+        gone_after_s = kFoundAgain_s;
         heard_s = steady_now_s();
       }
       arrived.clear();

@@ -10,10 +10,13 @@
 namespace skein::chaos {
 namespace {
 
+constexpr int kStartUp = 3;
+
 /// 0 after a run, 4 when the world went on without it; of whom the fault befell a kill where the fault is one, or stops
 /// an agent: one that stands still when the run is over is killed by the launcher, and one that is cut off until then
-/// is asked to end.
+/// is asked to end. Of a run that never began all are turned away, or asked to end.
 bool is_explained(const std::string& ended_by, AgentId agent, const RunOutcome& outcome) {
+  if (outcome.exit_code == kStartUp && (ended_by == "exit status 3" || ended_by == "exit status 143")) return true;
   if (ended_by == "exit status 0" || ended_by == "exit status 4") return true;
   if (std::ranges::find(outcome.befallen, agent) == outcome.befallen.end()) return false;
   return ended_by == (outcome.kind == Kind::Partition ? "exit status 143" : "signal 9 (Killed)");
@@ -71,6 +74,7 @@ void judge(const nlohmann::json& report, const Scenario& scenario, RunOutcome& o
     outcome.unexplained.push_back(fmt::format("agent {}: {}", process.at("agent").dump(), ended_by));
   }
   note_agreement(report, outcome);
+  if (outcome.exit_code == kStartUp) return;  // there is no run to repeat
   InProcessOptions options;
   options.replay = roster_changes_of(report);
   note_recovery(report, options.replay, scenario.mission.step_s, outcome);

@@ -22,7 +22,6 @@ constexpr double kFlush_s = 1.0;     ///< of the run are lost at most when this 
 constexpr double kSilence_s = 30.0;  ///< without a sample, as agents take it
 constexpr double kLast_s = 0.5;      ///< for what is still on its way when the last tick has come
 constexpr double kGone_s = 2.0;      ///< the same when the world is gone
-constexpr double kNeed_s = 1.0;      ///< without a sample: then a network that changed matters
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
 constexpr int kUsage = 2;
 constexpr int kStartUp = 3;
@@ -69,7 +68,7 @@ Ending follow(const CommonFlags& flags, const SignalWatch& signals, NetworkWatch
     }
     if (recorder.rounds().finished()) last_s = std::min(last_s, now_s);
     if (now_s - last_s >= kLast_s) return {0, "the run ended"};
-    if (const auto what = network.follow(now_s - heard_s > kNeed_s, renew, now_s)) fmt::print(stderr, "{}\n", *what);
+    if (const auto what = network.follow(now_s - heard_s > kInNeed_s, renew, now_s)) fmt::print(stderr, "{}\n", *what);
     if (world.lost(port.has_world(), now_s)) return {kLost, "the world is gone, without a last tick"};
     if (!recorder.heard_tick() && now_s - start_s >= flags.startup_timeout_s) {
       return {kStartUp, fmt::format("no world of swarm {} in domain {} within {} s", flags.swarm, flags.domain,

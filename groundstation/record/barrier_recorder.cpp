@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kAgain_s = 0.1;  ///< to a world that was started again, or that drops whom the recorder lacks
 constexpr double kFlush_s = 1.0;  ///< of the run are lost at most when this process is killed
-constexpr double kNeed_s = 1.0;   ///< without a sample: then a network that changed matters
 constexpr double kRest_s = 0.2;   ///< without a sample after which nothing more is on its way
 constexpr std::size_t kInbox = std::size_t{1} << 20;
 
@@ -31,7 +30,7 @@ void BarrierRecorder::take() {
   const double now_s = steady_now_s();
   if (recorder_.take() > 0) heard_s_ = now_s;
   const auto renew = [this] { port_.renew(); };
-  if (const auto what = network_.follow(now_s - heard_s_ > kNeed_s, renew, now_s)) fmt::print(stderr, "{}\n", *what);
+  if (const auto what = network_.follow(now_s - heard_s_ > kInNeed_s, renew, now_s)) fmt::print(stderr, "{}\n", *what);
   if (now_s - flushed_s_ < kFlush_s) return;
   file_.flush();
   flushed_s_ = now_s;

@@ -10,7 +10,6 @@ namespace skein::watch {
 namespace {
 
 constexpr double kSilence_s = 30.0;  ///< without a tick of any phase, as agents take it
-constexpr double kNeed_s = 1.0;      ///< without a tick: then a network that changed matters
 constexpr int kNice = 5;
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
@@ -32,7 +31,7 @@ void Observer::take() {
   arrived_.clear();
   const double now_s = steady_now_s();
   (void)network_.follow(
-      silence_s() > kNeed_s, [this] { port_.renew(); }, now_s);  // what is shown goes on, or does not
+      silence_s() > kInNeed_s, [this] { port_.renew(); }, now_s);  // what is shown goes on, or does not
   port_.take(arrived_);
   for (const bus::ObserverInbound& sample : arrived_) {
     if (std::holds_alternative<wire::Tick>(sample)) heard_s_ = now_s;

@@ -30,10 +30,9 @@ bool drained(int fd) {
   std::array<char, 8192> events{};
   bool any = false;
   for (;;) {
-    if (::recv(fd, events.data(), events.size(), MSG_DONTWAIT) >= 0) {
+    // ENOBUFS: some were too many to be kept; the machine is looked at anyway
+    if (::recv(fd, events.data(), events.size(), MSG_DONTWAIT) >= 0 || errno == ENOBUFS) {
       any = true;
-    } else if (errno == ENOBUFS) {
-      any = true;  // some were too many to be kept; the machine is looked at anyway
     } else if (errno != EINTR) {
       return any;
     }

@@ -22,6 +22,9 @@
 
 namespace skein {
 
+/// Of silence, after which a process is in need: of the world, or in the world of an agent.
+inline constexpr double kInNeed_s = 1.0;
+
 /// An IPv4 address of one of the machine's interfaces.
 struct NetworkAddress {
   std::uint32_t index = 0;  ///< of the interface, which another one never has again

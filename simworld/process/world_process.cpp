@@ -37,7 +37,6 @@ class LauncherControl final : public ProcessControl {
 };
 
 constexpr double kSilence_s = 2.5;  ///< a tick is repeated every second
-constexpr double kNeed_s = 1.0;     ///< without an answer: then a network that changed matters
 constexpr double kLook_s = 0.25;    ///< at most, between two looks at what may be due: others serve meanwhile
 
 // The last tick says how the run ended, and observers read best effort: they get it again.
@@ -171,7 +170,7 @@ class WorldProcess {
   void follow_network() {
     const double now_s = steady_now_s();
     const bool in_need =
-        session_.state() == WorldSession::State::Waiting || !session_.silent_for(kNeed_s, now_s).empty();
+        session_.state() == WorldSession::State::Waiting || !session_.silent_for(kInNeed_s, now_s).empty();
     if (const auto what = network_.follow(
             in_need, [this] { port_.renew(); }, now_s))
       spdlog::warn("{}", *what);

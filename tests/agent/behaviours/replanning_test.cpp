@@ -59,7 +59,7 @@ class Agreement {
   /// Rounds until something other than None, Join or Aim happens to somebody; what happened to each.
   std::map<AgentId, ReplanEvent> until_the_end() {
     for (int k = 0; k < 5000; ++k) {
-      const auto events = round();
+      auto events = round();
       for (const auto& [id, event] : events) {
         if (event == ReplanEvent::Switch || event == ReplanEvent::Fail) return events;
       }

@@ -165,6 +165,7 @@ TEST(TransitSending, KeepsItsShareOfTheChannelInEveryFrame) {
   for (std::uint32_t step = 1; step <= 80; ++step) {
     if ((step - 1) % 4 == 0) frame_bits = 0.0;
     std::vector<Cell> occupied;  // another column in each decision: there is always something to tell
+    occupied.reserve(8);
     for (std::int32_t j = 0; j < 8; ++j) occupied.push_back({static_cast<std::int32_t>(step / 2 % 20), j, 0});
     crossing.position_m = kWest;
     const RoundOutput& out = crossing.step({peer_at(kWest + Vec3(0, 12, 0))}, sight_of(occupied));

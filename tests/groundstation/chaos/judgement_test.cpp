@@ -93,6 +93,20 @@ TEST(Judgement, WhoIsCutOffUntilTheRunIsOverIsAskedToEnd) {
   EXPECT_FALSE(is_sound(judged(report, Kind::Slow)));
 }
 
+TEST(Judgement, ARunThatNeverBeganIsDegradedAndNotRepeated) {
+  nlohmann::json report = report_with();
+  report["exit_code"] = 3;
+  report["reason"] = "start-up timed out after 30 s: 0 of 2 agents matched";
+  report["state_hash"] = "0000000000000000";
+  report["processes"][0]["ended_by"] = "exit status 3";
+  report["processes"][1]["ended_by"] = "exit status 143";
+  const RunOutcome outcome = judged(report);
+  EXPECT_EQ(outcome.result, Result::Degraded);
+  EXPECT_TRUE(is_sound(outcome));
+  report["processes"][0]["ended_by"] = "signal 11 (Segmentation fault)";
+  EXPECT_FALSE(is_sound(judged(report)));
+}
+
 TEST(Judgement, TheWorldsRecoveryIsInSeconds) {
   nlohmann::json report = report_with();
   report["world_recovery_s"] = {0.25, 0.75};

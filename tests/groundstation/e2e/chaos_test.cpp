@@ -19,7 +19,7 @@ Ended chaos(const std::string& scenario, const std::vector<std::string>& more) {
 }
 
 std::string faults_file(const ScratchFolder& out, const std::string& text) {
-  const std::string path = out.path() + "/faults";
+  std::string path = out.path() + "/faults";
   std::ofstream(path) << text;
   return path;
 }

@@ -1,6 +1,10 @@
 // Only whole processes on a network of their own can prove it: whatever interfaces come and go under a run, it ends
 // with the state hash of one process.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
 
 #include "tests/groundstation/e2e/skein.hpp"
 
@@ -52,6 +56,35 @@ TEST(AnotherNetwork, UnderARunChangesNothing) {
   EXPECT_EQ(report.at("state_hash"), alone.report.at("state_hash"));
   EXPECT_TRUE(report.at("roster_changes").empty());
   EXPECT_EQ(logs_of(out.path() + "/run").find("DDS participant made anew"), std::string::npos);
+}
+
+/// A script that starts a world by hand, writes its id into `folder`/world.pid, and becomes one who watches it.
+std::string watched_world(const std::string& folder) {
+  const std::string flags = fmt::format("--domain {} --swarm another-network", kDomain);
+  return fmt::format("'{}' {}/tests/data/small.yaml --out {}/world {} 2>{}/world.log & echo $! >{}/world.pid\n",
+                     binary("skein-simworld"), SKEIN_SOURCE_DIR, folder, flags, folder, folder) +
+         fmt::format("exec '{}' run --attach {}\n", binary("skein"), flags);
+}
+
+TEST(AnotherNetwork, AWorldThatDiedIsGoneForAnObserverThatWasMadeAnewSinceThen) {
+  const ScratchFolder out;
+  const bool own = may_have_own_network();
+  const std::string script = out.path() + "/watch.sh";
+  std::ofstream(script) << watched_world(out.path());
+  Program watcher({"/bin/sh", "-c",
+                   own ? fmt::format("exec unshare -rn sh -c 'ip link set lo up multicast on && exec sh {}'", script)
+                       : "exec sh " + script});
+  ASSERT_TRUE(watcher.read_until("discovery", 30.0));
+  pid_t world = 0;
+  ASSERT_TRUE(std::ifstream(out.path() + "/world.pid") >> world);
+  ASSERT_EQ(::kill(world, SIGKILL), 0);
+  if (own) {
+    EXPECT_TRUE(connect(watcher.pid(), 1));
+    EXPECT_TRUE(watcher.read_until("DDS participant made anew", 10.0));
+  }
+  const Ended ended = watcher.wait(60.0);
+  EXPECT_EQ(ended.exit_code, 4) << ended.err;
+  EXPECT_NE(ended.err.find("the world of swarm another-network is gone"), std::string::npos) << ended.err;
 }
 
 }  // namespace

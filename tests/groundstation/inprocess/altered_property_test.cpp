@@ -14,7 +14,7 @@ using Edit = std::function<void(wire::Representative&)>;
 
 /// Edits the representative that agent `from` published in round `round` on its way to agent `to` (0: to all agents).
 /// @param altered counts the samples
-bus::Tamper altering(AgentId from, AgentId to, std::uint32_t round, Edit edit, std::uint64_t& altered) {
+bus::Tamper altering(AgentId from, AgentId to, std::uint32_t round, const Edit& edit, std::uint64_t& altered) {
   return [=, &altered](bus::Transit transit) {
     auto* sample = std::get_if<wire::Representative>(&transit.sample);
     const bool meant = to == 0 ? transit.to != kWorldId : transit.to == to;

@@ -112,6 +112,7 @@ TEST(Faults, FaultsOnOneAgentAtOneMoment) {
         std::vector{FaultKind::Restart, FaultKind::Restart}}) {
     const Scenario scenario = ring(3, "remove");
     std::vector<Fault> script;
+    script.reserve(kinds.size());
     for (const FaultKind kind : kinds) script.push_back({kind, 4, Phase::Planning, 9});
     const InProcessResult run = run_script(scenario, script);
     EXPECT_EQ(run.report.at("reason").get<std::string>().find("never took place"), std::string::npos)

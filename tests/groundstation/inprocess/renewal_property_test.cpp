@@ -32,7 +32,7 @@ bus::DdsConfig config(AgentId id) {
   const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
   c.swarm = name + "-" + std::to_string(::getpid());
   c.id = id;
-  c.nonce = kWorldNonce + 100 * id;
+  c.nonce = kWorldNonce + 100ULL * id;
   return c;
 }
 

@@ -84,7 +84,7 @@ std::string followed(NetworkWatch& watch, bool in_need = kInNeed) {
 std::string said(NetworkWatch& watch) {
   for (const double end_s = steady_now_s() + 10.0; steady_now_s() < end_s;) {
     wait_readable({watch.fd()}, 0.1);
-    if (const std::string change = followed(watch); !change.empty()) return change;
+    if (std::string change = followed(watch); !change.empty()) return change;
   }
   return "";
 }

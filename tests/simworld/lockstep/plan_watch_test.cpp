@@ -16,8 +16,9 @@ using test::tick_of;
 
 constexpr std::uint32_t kPublished = 8;
 
-std::uint64_t view_of(std::vector<AgentId> ids, std::uint32_t round = kPublished) {
+std::uint64_t view_of(const std::vector<AgentId>& ids, std::uint32_t round = kPublished) {
   std::vector<Representative> samples;
+  samples.reserve(ids.size());
   for (const AgentId id : ids) samples.push_back(representative(id, round));
   return plan_view_of(samples, std::nullopt);
 }
