@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Sets up as quickstart.sh does, builds everything with its tests, and runs them; then sanitizers, fuzzing, clang-tidy on
-# what changed, and beside those, if asked for, the tests in containers. The last lines say what held.
+# what changed, and beside those the tests in containers. The last lines say what held.
 #
-# usage: deploy/check.sh [--containers]   the tests in containers too: they need an engine, root, and a quarter of an hour
+# usage: deploy/check.sh [--no-containers]   without the tests in containers: for where there is no engine or no root
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-purpose=check
-if [[ ${1:-} == --containers ]]; then
-  purpose=container
+purpose=container
+if [[ ${1:-} == --no-containers ]]; then
+  purpose=check
 elif [[ $# -gt 0 ]]; then
-  echo "check: unknown argument '$1'; allowed: --containers" >&2
+  echo "check: unknown argument '$1'; allowed: --no-containers" >&2
   exit 2
 fi
 
@@ -44,7 +44,7 @@ echo 'check: 3/4 tests'
 run_tests --label-exclude '^(bench|container)$' --timeout 600 -j2
 wait "$!"
 
-echo 'check: 4/4 clang-tidy, sanitizers, fuzzing; containers if asked for'
+echo 'check: 4/4 containers; clang-tidy, sanitizers, fuzzing'
 start static >build/static.log 2>&1
 beside=$!
 held=0

@@ -52,7 +52,9 @@ class Container:
         try:
             return int(self.engine.run("wait", self.name, limit_s=limit_s).split()[-1])
         except subprocess.TimeoutExpired:
-            raise AssertionError(f"{self.name} did not end within {limit_s} s:\n{self.log()[-3000:]}") from None
+            state = self.engine.inspect(self.name)["State"]["Status"]
+            raise AssertionError(f"{self.name} did not end within {limit_s} s, it is {state}:\n"
+                                 f"{self.log()[-3000:]}") from None
 
     def kill(self):
         self.engine.run("kill", "-s", "KILL", self.name)
