@@ -64,7 +64,7 @@ class Reader {
     std::size_t chunk = 0;
     std::uint64_t offset = 0;
     std::uint16_t channel = 0;
-    auto operator<=>(const Place&) const = default;
+    auto operator<=>(const Place&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm of clang-tidy 14
   };
   [[nodiscard]] std::vector<Place> places_of(std::size_t number) const;
   [[nodiscard]] bool open_by_summary();

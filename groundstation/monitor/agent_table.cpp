@@ -129,7 +129,8 @@ void draw_agents(Grid& grid, const Area& area, const watch::SwarmView& view, con
   const int place = selected == nullptr ? 0 : static_cast<int>(selected - view.agents.data());
   const int first = std::clamp(place - rows / 2, 0, std::max(0, count - rows));
   for (int row = 0; row < std::min(rows, count); ++row) {
-    const AgentView& agent = view.agents[static_cast<std::size_t>(first + row)];
+    const int index = first + row;
+    const AgentView& agent = view.agents[static_cast<std::size_t>(index)];
     draw_row(grid, area, area.y + 1 + row, agent, &agent == selected, columns);
   }
   if (!all) {

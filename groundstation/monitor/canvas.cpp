@@ -32,7 +32,7 @@ Canvas::Canvas(int width, int height)
 
 void Canvas::dot(int x, int y, const Style& style, int rank) {
   if (x < 0 || y < 0 || x >= width() || y >= height()) return;
-  Cell& cell = cells_[static_cast<std::size_t>(y / 4 * width_ + x / 2)];
+  Cell& cell = cells_[place(x / 2, y / 4)];
   cell.dots =
       static_cast<std::uint8_t>(cell.dots | kBits[static_cast<std::size_t>(y % 4)][static_cast<std::size_t>(x % 2)]);
   if (rank < cell.rank) return;
@@ -60,7 +60,7 @@ int Canvas::line(const Dot& from, const Dot& to, const Style& style, int rank, i
 void Canvas::draw(Grid& grid, int x, int y, Symbols symbols) const {
   for (int row = 0; row < height_; ++row) {
     for (int column = 0; column < width_; ++column) {
-      const Cell& cell = cells_[static_cast<std::size_t>(row * width_ + column)];
+      const Cell& cell = cells_[place(column, row)];
       if (cell.dots == 0) continue;
       const auto count = static_cast<std::size_t>(std::popcount(cell.dots));
       grid.put(x + column, y + row, symbols == Symbols::Braille ? kBraille + cell.dots : kDensity[count], cell.style);

@@ -40,6 +40,10 @@ class Canvas {
     int rank = -1;
     Style style;
   };
+  [[nodiscard]] std::size_t place(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+
   int width_;
   int height_;
   std::vector<Cell> cells_;

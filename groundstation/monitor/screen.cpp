@@ -67,7 +67,8 @@ void draw_events(Grid& grid, const Area& area, const watch::SwarmView& view) {
   const auto count = static_cast<int>(view.events.size());
   const int rows = std::min(count, area.height - 1);
   for (int row = 0; row < rows; ++row) {
-    const watch::Event& event = view.events[static_cast<std::size_t>(count - rows + row)];
+    const int index = count - rows + row;
+    const watch::Event& event = view.events[static_cast<std::size_t>(index)];
     grid.put(area.x, area.y + 1 + row, watch::event_text(event), style_of_event(event), area.width - 1);
   }
 }

@@ -40,7 +40,8 @@ struct Presence {
   /// @return whether it is gone for good
   bool lost(bool has_world, double now_s) {
     had_world = had_world || has_world;
-    gone_s = had_world && !has_world ? std::min(gone_s, now_s) : kNever_s;
+    const bool gone = had_world && !has_world;
+    gone_s = gone ? std::min(gone_s, now_s) : double{kNever_s};
     return now_s - gone_s >= kGone_s;
   }
 };

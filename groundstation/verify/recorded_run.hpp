@@ -27,7 +27,7 @@ struct SampleName {
   bus::TopicId topic = bus::TopicId::Mission;
   AgentId agent = kWorldId;
   std::uint32_t incarnation = 0;
-  auto operator<=>(const SampleName&) const = default;
+  auto operator<=>(const SampleName&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm of clang-tidy 14
 };
 
 class RecordedRun {

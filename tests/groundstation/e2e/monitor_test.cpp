@@ -1,9 +1,9 @@
 // Only whole processes can prove it: a second terminal shows a swarm that others started, at any size and with any
 // terminal, leaves the terminal as it was, and the swarm does not notice.
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <algorithm>
+#include <csignal>
 #include <memory>
 #include <regex>
 

@@ -59,7 +59,7 @@ TEST(Recording, TellsWhatItIsOf) {
   EXPECT_EQ(reader.metadata("skein.kept").value().texts.at("samples"),
             std::to_string(reader.contents().statistics.message_count));
   const auto report = reader.attachment(kReportName).value();
-  EXPECT_EQ(nlohmann::json::parse(report.data)["state_hash"], recorded.result.report["state_hash"]);
+  EXPECT_EQ(nlohmann::ordered_json::parse(report.data)["state_hash"], recorded.result.report["state_hash"]);
 }
 
 TEST(Recording, HasAChannelForEachTopicWriterAndAgentWithTimesThatDoNotGoBack) {
