@@ -66,7 +66,7 @@ void PeerBook::renew() {
 std::map<std::uint64_t, const PeerBook::Peer*> PeerBook::newest() const {
   std::map<std::uint64_t, const Peer*> newest;
   for (const auto& [process, peer] : peers_) {
-    if (!peer.info || peer.info->nonce == own_.nonce) continue;
+    if (!peer.info || peer.info->swarm != own_.swarm || peer.info->nonce == own_.nonce) continue;
     const auto [known, first] = newest.emplace(peer.info->nonce, &peer);
     if (!first && known->second->info->renewals < peer.info->renewals) known->second = &peer;
   }
@@ -92,7 +92,7 @@ std::vector<std::uint64_t> PeerBook::matched_nonces(double now_s) const {
   std::vector<std::uint64_t> nonces;
   const std::lock_guard lock(mutex_);
   for (const auto& [nonce, peer] : newest()) {
-    if (!is_counted(own_.role, peer->info->role) || peer->info->swarm != own_.swarm) continue;
+    if (!is_counted(own_.role, peer->info->role)) continue;
     if (!complete(*peer, now_s)) continue;
     for (std::uint32_t member = 0; member < peer->info->members; ++member) nonces.push_back(nonce + member);
   }
@@ -125,7 +125,7 @@ std::array<std::uint32_t, 2 * kTopics.size()> PeerBook::endpoints(const ProcessK
 std::optional<std::string> PeerBook::conflict() const {
   const std::lock_guard lock(mutex_);
   for (const auto& [nonce, peer] : newest()) {
-    if (peer->info->role != Role::World || peer->info->swarm != own_.swarm) continue;
+    if (peer->info->role != Role::World) continue;
     if (auto text = conflict_between(own_, *peer->info)) return text;
   }
   return std::nullopt;

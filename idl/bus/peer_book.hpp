@@ -80,7 +80,7 @@ class PeerBook {
     double found_s = 0.0;                                   ///< when the last one was found
   };
   [[nodiscard]] bool complete(const Peer& peer, double now_s) const;
-  /// Those that say who they are, by nonce: of each process its newest participant, without this process's own.
+  /// Those of this swarm that say who they are, by nonce: of each process its newest participant, without its own.
   [[nodiscard]] std::map<std::uint64_t, const Peer*> newest() const;
 
   PeerInfo own_;

@@ -163,6 +163,18 @@ PeerInfo renewed(PeerInfo info, std::uint32_t renewals) {
   return info;
 }
 
+TEST(PeerBook, AProcessOfAnotherSwarmMayHaveTheSameNonce) {
+  for (const bool other_first : {false, true}) {
+    PeerBook book(info(Role::World, 5));
+    PeerInfo other = info(Role::Agent, 7);
+    other.swarm = "ducks";
+    book.discovered(other_first ? kFirst : kSecond, other);
+    book.discovered(other_first ? kSecond : kFirst, info(Role::Agent, 7));
+    match(book, other_first ? kSecond : kFirst, Role::Agent);
+    EXPECT_THAT(book.matched_nonces(kNow_s), ElementsAre(7));
+  }
+}
+
 TEST(PeerBook, TheNewestParticipantOfAProcessIsTheProcess) {
   PeerBook book(info(Role::World, 5));
   const PeerInfo agent = info(Role::Agent, 7);
