@@ -2,8 +2,10 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -133,7 +135,7 @@ VerbAction add_reproduce_verb(CLI::App& app) {
   verb->add_option("WHAT", arguments->what, "rendezvous, transit or all")
       ->required()
       ->check(CLI::IsMember({"rendezvous", "transit", "all"}));
-  verb->add_flag("--quick", arguments->quick, "fewer seeds: minutes instead of tens of them");
+  verb->add_flag("--quick", arguments->quick, "fewer seeds: a minute or two instead of ten");
   verb->add_option("--seeds", arguments->seeds, "seeds of every experiment, instead of its own number")
       ->check(CLI::Range(1U, 1'000'000U));
   verb->add_option("--jobs", arguments->jobs, "threads; by default one a core")->check(CLI::Range(1U, 1024U));

@@ -100,12 +100,13 @@ Document document_of(const std::string& command, const std::vector<Paper>& paper
 std::string text_of(const Document& document, Layout layout) {
   std::string text = "# Reproduction\n\n";
   if (!document.complete) text += "**Interrupted: not all runs are in these tables.**\n\n";
-  text += fmt::format(
-      "What the papers print beside what this software gives. Made by `{}`, version {}, which runs everything in one "
-      "process; made again it is the same but for wall times. '-' is what a paper does not print, or a planner does "
-      "not "
-      "have; a name in `code` is our planner of that name.\n",
-      document.command, version());
+  text += wrapped(
+      fmt::format(
+          "What the papers print beside what this software gives, made by `{}`, version {}: all runs are in one "
+          "process, with seeds from 0 on, and made again give the same but for wall times. '-' is what a paper "
+          "does not print, or a planner does not have; a name in `code` is our planner of that name.",
+          document.command, version()),
+      "");
   for (const Section& section : document.sections) {
     text += fmt::format("\n## {}\n\n{}\nWhat differs in all tables:\n\n{}", section.title,
                         wrapped(std::string(citation_of(section.paper)) + ".", ""), listed(section.differences));
