@@ -50,19 +50,27 @@ std::string time_text(double seconds) {
   return whole < 60 ? fmt::format("{} s", whole) : fmt::format("{} min {} s", whole / 60, whole % 60);
 }
 
-/// One line on a terminal, written over itself. The time left is what the rest takes at the pace so far.
+/// One line on a terminal, written over itself; elsewhere a line as each campaign begins. The time left is what the
+/// rest takes at the pace so far.
 class ProgressLine {
  public:
   void show(const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share) const {
+    if (!terminal_) {
+      if (done == 1) std::cerr << fmt::format("reproduce: {}: {} runs\n", campaign.name, of);
+      return;
+    }
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
     const double left_s = spent.count() * (1.0 - share) / share;
     std::cerr << fmt::format("\r\033[Kreproduce: {}: {} of {} runs; {:.0f} % in all, {} left", campaign.name, done, of,
                              100.0 * share, time_text(left_s))
               << std::flush;
   }
-  static void clear() { std::cerr << "\r\033[K" << std::flush; }
+  void clear() const {
+    if (terminal_) std::cerr << "\r\033[K" << std::flush;
+  }
 
  private:
+  bool terminal_ = isatty(STDERR_FILENO) == 1;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
@@ -101,15 +109,12 @@ int run_reproduce(const ReproduceArguments& arguments) {
     if (const auto arrived = signals.take()) signal = arrived;
     return signal.has_value();
   };
-  const bool terminal = isatty(STDERR_FILENO) == 1;
   const ProgressLine progress;
-  if (terminal) {
-    options.on_progress = [&](const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share) {
-      progress.show(campaign, done, of, share);
-    };
-  }
+  options.on_progress = [&](const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share) {
+    progress.show(campaign, done, of, share);
+  };
   const reproduce::Results results = reproduce::run_campaigns(campaigns, options);
-  if (terminal) ProgressLine::clear();
+  progress.clear();
   const reproduce::Document document = reproduce::document_of(command_of(arguments), papers, results);
   // a file that was whole stays whole: what there is of an interrupted run goes to standard output
   const bool to_file = !arguments.out.empty() && results.complete;
