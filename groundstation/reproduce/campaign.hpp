@@ -26,7 +26,7 @@ struct Campaign {
   std::vector<SweptKey> keys;  ///< as of a sweep
   std::uint32_t quick_runs;    ///< of each combination
   std::uint32_t full_runs;     ///< of each combination
-  double run_cost_s;           ///< about what a run takes of one core; for the time left alone
+  double run_cost_s;           ///< about what a run takes of one core; for the time left alone (peach: ten times)
 };
 
 [[nodiscard]] std::vector<Campaign> campaigns_of(Paper paper);
