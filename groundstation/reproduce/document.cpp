@@ -40,38 +40,50 @@ std::string listed(const std::vector<std::string>& items) {
   return text;
 }
 
+/// One a line.
+constexpr std::string_view kRendezvousDifferences =
+    "The rendezvous point is (30, 15) km. Tables 1 and 5 print (35, 15), with which the straight lines are longer "
+    "than the paths of Tables 3 and 6; with (30, 15) the shortest unobstructed paths are the paper's L1 and L2.\n"
+    "The paper's obstacles are in its figures only; ours lie close to its figures of length "
+    "([layouts](families/rendezvous.md#layouts)). 7 m are kept from them.\n"
+    "`dcpso-paper` is the method as printed, by the reading given below; `dcpso-solo` the same without "
+    "cooperation; `dcpso` our default: exactly one length in the end, and every constraint proved; `ccga` a "
+    "conventional cooperative co-evolutionary genetic algorithm.\n"
+    "M = 20, T = 50, w1 = 0.5, Np = Nph = 50, kappa_max = 2 per km, as in section 4.1. The search range and Vmax "
+    "are not printed.\n"
+    "Each plan is flown, at 50 m/s in steps of 0.5 s, which the paper does not do.\n";
+
+/// One a line.
+constexpr std::string_view kTransitDifferences =
+    "The paper's power station is a picture; ours has a wall with gaps of 12, 8, 5 and 3 m, of which 4, 3 and 2 "
+    "are open to cells of 2, 4 and 6 m, as its areas c and d are.\n"
+    "One in ten samples is lost on top of the paper's radio (90 m, 250 kbit/s, a send every 2 s); speed, sensor "
+    "range and sizes are the paper's.\n"
+    "`peach` and `peach3d-paper` are Algorithms 1 and 2 with 3, by readings of what the paper leaves open "
+    "([table](families/transit.md#what-the-paper-leaves-open)); `peach3d` is our default, which finds every goal "
+    "that can be reached.\n"
+    "The paper flies each swarm once: 72 flights in 12 runs. Ours are as many for each seed.\n";
+
+std::vector<std::string> lines_in(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
 Section section_of(Paper paper, const Results& results) {
   Section section;
   section.paper = paper;
   if (paper == Paper::Rendezvous) {
     section.title = "Formation rendezvous";
-    section.differences = {
-        "The rendezvous point is (30, 15) km. Tables 1 and 5 print (35, 15), with which the straight lines are longer "
-        "than the paths of Tables 3 and 6; with (30, 15) the shortest unobstructed paths are the paper's L1 and L2.",
-        "The paper's obstacles are in its figures only; ours lie close to its figures of length "
-        "([layouts](families/rendezvous.md#layouts)). 7 m are kept from them.",
-        "`dcpso-paper` is the method as printed, by the reading given below; `dcpso-solo` the same without "
-        "cooperation; "
-        "`dcpso` our default: exactly one length in the end, and every constraint proved; `ccga` a conventional "
-        "cooperative co-evolutionary genetic algorithm.",
-        "M = 20, T = 50, w1 = 0.5, Np = Nph = 50, kappa_max = 2 per km, as in section 4.1. The search range and Vmax "
-        "are "
-        "not printed.",
-        "Each plan is flown, at 50 m/s in steps of 0.5 s, which the paper does not do."};
+    section.differences = lines_in(kRendezvousDifferences);
     section.tables = rendezvous_tables(results);
   } else {
     section.title = "Flight through unknown space";
-    section.differences = {
-        "The paper's power station is a picture; ours has a wall with gaps of 12, 8, 5 and 3 m, of which 4, 3 and 2 "
-        "are "
-        "open to cells of 2, 4 and 6 m, as its areas c and d are.",
-        "One in ten samples is lost on top of the paper's radio (90 m, 250 kbit/s, a send every 2 s); speed, sensor "
-        "range "
-        "and sizes are the paper's.",
-        "`peach` and `peach3d-paper` are Algorithms 1 and 2 with 3, by readings of what the paper leaves open "
-        "([table](families/transit.md#what-the-paper-leaves-open)); `peach3d` is our default, which finds every goal "
-        "that can be reached.",
-        "The paper flies each swarm once: 72 flights in 12 runs. Ours are as many for each seed."};
+    section.differences = lines_in(kTransitDifferences);
     section.tables = transit_tables(results);
   }
   for (const CampaignResult& result : results.campaigns) {
