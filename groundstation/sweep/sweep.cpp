@@ -27,7 +27,8 @@ Scenario reseeded(const Scenario& scenario, std::uint64_t seed) {
 }
 
 Scenario load(const SweepPlan& plan, const std::vector<Override>& set, std::uint64_t seed) {
-  ScenarioResult result = load_scenario(plan.scenario, set, seed);
+  ScenarioResult result =
+      plan.text.empty() ? load_scenario(plan.scenario, set, seed) : parse_scenario(plan.text, plan.scenario, set, seed);
   if (const auto* fault = std::get_if<ScenarioFault>(&result)) throw std::invalid_argument(fault->line());
   return std::get<Scenario>(std::move(result));
 }

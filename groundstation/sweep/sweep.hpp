@@ -22,7 +22,8 @@ struct SweptKey {
 };
 
 struct SweepPlan {
-  std::string scenario;
+  std::string scenario;  ///< the file
+  std::string text;      ///< the scenario itself, if it is in no file: then `scenario` only names it in messages
   std::vector<SweptKey> keys;
   std::uint64_t first_seed = 0;
   std::uint32_t runs = 1;                                             ///< of each combination
