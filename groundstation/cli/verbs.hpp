@@ -12,6 +12,7 @@ using VerbAction = std::function<int()>;
 [[nodiscard]] VerbAction add_chaos_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_doctor_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_monitor_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_plot_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_profile_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_dump_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_record_verb(CLI::App& app);
