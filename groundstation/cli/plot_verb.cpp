@@ -1,13 +1,11 @@
 // skein plot FILE: pictures of a run or a sweep, drawn by gnuplot.
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/cli/write_report.hpp"
 #include "groundstation/figure/figures.hpp"
 #include "groundstation/figure/gnuplot.hpp"
 
@@ -28,13 +26,6 @@ struct PlotArguments {
   std::string out;
   bool json = false;
 };
-
-void write_file(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file) throw std::runtime_error(fmt::format("cannot write {}: {}", path, std::strerror(errno)));
-}
 
 std::string folder_for(const std::string& out) {
   const std::string folder = out.empty() ? "." : out;
@@ -76,7 +67,7 @@ int plot(const PlotArguments& arguments) {
     const auto format = arguments.format == "png" ? figure::Format::Png : figure::Format::Svg;
     figure::Json files = figure::Json::array();
     for (const auto& [path, sketch] : sketches_of(arguments, input)) {
-      write_file(path, figure::draw(figure::script_of(sketch, format)));
+      write_whole(path, figure::draw(figure::script_of(sketch, format)));
       files.push_back({{"file", path}, {"caption", sketch.caption}});
       if (!arguments.json) std::cout << path << "\n";
     }

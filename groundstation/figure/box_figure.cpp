@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 7> kTelling{"longest_path_m",   "total_pa
                                                    "min_separation_m", "min_clearance_m", "replan_rounds"};
 constexpr std::size_t kMostPanels = 5;
 constexpr int kPanel_px = 330;
-constexpr std::size_t kManyLabels = 40;  // letters of all labels from which they are turned
+constexpr std::size_t kManyLabels = 26;  // letters of all labels from which they are turned
 
 /// What the swept values of a row are, without their keys; those stand below the axis.
 std::string label_of(const Json& row) {
@@ -56,7 +56,7 @@ std::string ticks_of(const Json& rows) {
     letters += label.size() + 2;
     ticks += fmt::format("{}{} {}", i > 0 ? ", " : "", quote(label), i + 1);
   }
-  return fmt::format("set xtics ({}){}\n", ticks, letters > kManyLabels ? " rotate by -35" : "");
+  return fmt::format("set xtics ({}){}\n", ticks, letters > kManyLabels ? " rotate by -25" : "");
 }
 
 /// "longest_path_m" -> "longest path (m)"; of many metres in kilometres.

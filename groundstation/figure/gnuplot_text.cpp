@@ -14,6 +14,8 @@ constexpr std::array<std::string_view, 8> kColours{"#0072b2", "#d55e00", "#009e7
                                                    "#e69f00", "#56b4e9", "#8c564b", "#444444"};
 constexpr std::array<std::string_view, 5> kDashes{"solid", "(12,4)", "(4,3)", "(12,3,3,3)", "(20,5)"};
 constexpr double kKilometres_m = 3000.0;
+constexpr double kLogarithmic = 20.0;  // most over least from which an axis is logarithmic
+constexpr double kBeyond = 1.3;
 constexpr std::size_t kBelow = 12;
 constexpr std::size_t kBeside = 40;
 
@@ -67,14 +69,27 @@ Span Span::widened(double share, double least) const {
   return {low - by, high + by};
 }
 
+bool is_logarithmic(const Span& values) {
+  return values.low > 0.0 && values.high > kLogarithmic * values.low;
+}
+
+std::string y_axis(const Span& values) {
+  if (is_logarithmic(values)) {
+    return fmt::format("set logscale y\nset format y '%g'\nset yrange [{:.9g}:{:.9g}]\n", values.low / kBeyond,
+                       values.high * kBeyond);
+  }
+  const Span shown = values.widened(0.06, 1e-9);
+  return fmt::format("set yrange [{:.9g}:{:.9g}]\n", shown.low, shown.high);
+}
+
 LengthUnit unit_for(double extent_m) {
   return extent_m > kKilometres_m ? LengthUnit{"km", 1000.0} : LengthUnit{};
 }
 
 std::string key_for(std::size_t n) {
   if (n > kBeside) return "unset key\n";
-  if (n > kBelow) return "set key outside right top vertical maxrows 26 samplen 2.5 width -1 font ',12'\n";
-  return "set key outside below center horizontal samplen 3\n";
+  if (n > kBelow) return "set key outside right top vertical Left reverse maxrows 26 samplen 2.5 width -1 font ',12'\n";
+  return kKeyBelow;
 }
 
 std::size_t stride_for(std::size_t points_of_all) {

@@ -44,6 +44,12 @@ struct Span {
   [[nodiscard]] double width() const { return high - low; }
 };
 
+/// "set yrange ..." of an axis of positive values, logarithmic where they differ much, linear from 0 or below
+/// elsewhere.
+[[nodiscard]] std::string y_axis(const Span& values);
+/// Whether that is a logarithmic one.
+[[nodiscard]] bool is_logarithmic(const Span& values);
+
 /// Metres, or kilometres where there are many.
 struct LengthUnit {
   const char* name = "m";
@@ -51,6 +57,8 @@ struct LengthUnit {
 };
 [[nodiscard]] LengthUnit unit_for(double extent_m);
 
+/// What all keys below a plot have in common.
+inline constexpr const char* kKeyBelow = "set key outside below center horizontal Left reverse samplen 3 height 0.6\n";
 /// The key of curves of n vehicles: below the plot, of many to the right of it, of more none.
 [[nodiscard]] std::string key_for(std::size_t n);
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMargin = 0.07;
 constexpr double kReach = 0.2;  // so far beyond the paths obstacles widen the picture
+constexpr std::size_t kSeenPoints = 150;
 constexpr int kPlotWidth_px = 780;
 constexpr int kFrame_px = 150;  // title, axis, key
 
@@ -58,7 +59,7 @@ constexpr std::array<ZoneLook, 4> kZoneLooks{{
     {"obstacle", "#c4c4c4", "#8a8a8a", "obstacle"},
     {"nofly", "#f4c7c3", "#c0504d", "no-fly zone"},
     {"announced", "#fbe3a6", "#b8860b", "announced zone"},
-    {"hidden", "#d9d9e8", "#7a7a9a", "obstacle that nobody is told of"},
+    {"hidden", "#d9d9e8", "#7a7a9a", "hidden obstacle"},
 }};
 
 bool has(const RunInput& input, ZoneKind kind) {
@@ -117,15 +118,57 @@ std::string path_blocks(const RunInput& input, const LengthUnit& unit) {
   return text + starts.text() + ends.text();
 }
 
+/// Numbers at the starts, on the side to which the vehicle does not go.
 std::string labels(const RunInput& input, const LengthUnit& unit, bool in_space) {
   std::string text;
   for (const VehicleTrace& vehicle : input.data.vehicles) {
     const Vec3 start = vehicle.spec.start.position_m / unit.in_m;
+    double east_m = 0.0;
+    if (!vehicle.planned.empty()) east_m = vehicle.planned[1].position_m.x() - vehicle.planned[0].position_m.x();
+    for (const TracePoint& point : vehicle.flown) {
+      if (east_m != 0.0) break;
+      east_m = point.position_m.x() - vehicle.spec.start.position_m.x();
+    }
+    const bool left = east_m >= 0.0;
     const std::string height = in_space ? fmt::format(",{:.9g}", start.z()) : "";
-    text += fmt::format("set label '{}' at {:.9g},{:.9g}{} front offset char 0.5,0.6 font ',13'\n", vehicle.spec.id,
-                        start.x(), start.y(), height);
+    text += fmt::format("set label '{}' at {:.9g},{:.9g}{} {} front offset char {},0 font ',13'\n", vehicle.spec.id,
+                        start.x(), start.y(), height, left ? "right" : "left", left ? -0.7 : 0.7);
   }
   return text;
+}
+
+/// What sensors saw and nobody planned for: $seen, where it was, and from above its size ($bodies).
+struct Seen {
+  std::string blocks;
+  std::string plots;
+};
+
+Seen seen_in(const RunInput& input, const LengthUnit& unit, bool in_space) {
+  if (input.data.seen.empty()) return {};
+  Block places("seen");
+  Block bodies("bodies");
+  for (const SeenObstacle& seen : input.data.seen) {
+    const std::size_t stride = 1 + seen.places_m.size() / kSeenPoints;
+    for (std::size_t k = 0; k < seen.places_m.size(); k += stride) {
+      const Vec3 place = seen.places_m[k] / unit.in_m;
+      places.row(place.x(), place.y(), place.z());
+    }
+    places.gap();
+    const Vec3 last = seen.places_m.back() / unit.in_m;
+    bodies.row(last.x(), last.y(), seen.radius_m / unit.in_m);
+  }
+  Seen seen{places.text(), ""};
+  if (in_space) {
+    seen.plots =
+        ", $seen using 1:2:3 with linespoints linewidth 0.8 pointtype 6 pointsize 0.3 pointinterval 20 linecolor "
+        "rgb '#7f3c8d' title 'seen on the way'";
+  } else {
+    seen.blocks += bodies.text();
+    seen.plots =
+        ", $bodies using 1:2:3 with circles fillstyle solid 0.35 noborder linecolor rgb '#7f3c8d' title 'seen on "
+        "the way', $seen using 1:2 with lines linewidth 0.8 linecolor rgb '#7f3c8d' notitle";
+  }
+  return seen;
 }
 
 /// The curves of all vehicles, and what they are called. @param columns "1:2" or "1:2:3"
@@ -184,7 +227,7 @@ bool inside(const Outline& outline, const Extent& extent) {
 }
 
 std::string ground_block(const Terrain& terrain, const Extent& extent, const LengthUnit& unit) {
-  constexpr int kLines = 40;
+  constexpr int kLines = 48;
   Block block("ground");
   for (int i = 0; i <= kLines; ++i) {
     for (int j = 0; j <= kLines; ++j) {
@@ -204,9 +247,9 @@ Sketched sketch_paths(const RunInput& input) {
   Sketch figure;
   figure.height_px =
       kFrame_px + std::clamp(static_cast<int>(kPlotWidth_px * extent.y.width() / extent.x.width()), 220, 780);
-  figure.caption = "Paths from above; numbers are vehicles.";
+  figure.caption = "Paths from above, as planned before the flight and as flown; numbers are vehicles.";
   figure.commands = zone_blocks(input, unit) + path_blocks(input, unit) + labels(input, unit, false) +
-                    axes(extent, unit) + "set size ratio -1\nset key outside below center horizontal samplen 2.5\n";
+                    axes(extent, unit) + "set size ratio -1\n" + kKeyBelow;
   std::string plots;
   for (std::size_t k = 0; k < kZoneLooks.size(); ++k) {
     if (!has(input, static_cast<ZoneKind>(k))) continue;
@@ -216,7 +259,9 @@ Sketched sketch_paths(const RunInput& input) {
         "lines linewidth 0.8 linecolor rgb '{3}' notitle",
         look.block, look.fill, look.title, look.edge);
   }
-  plots += path_plots(input, "1:2", input.data.mission.transit.has_value());
+  const Seen seen = seen_in(input, unit, false);
+  figure.commands += seen.blocks;
+  plots += seen.plots + path_plots(input, "1:2", input.data.mission.transit.has_value());
   figure.commands += "plot " + plots.substr(2) + "\n";
   return figure;
 }
@@ -234,13 +279,14 @@ Sketched sketch_paths3d(const RunInput& input) {
   z_m = {std::min(0.0, z_m.low), z_m.widened(kMargin, 0.0).high};
   Sketch figure;
   figure.height_px = 640;
-  figure.caption = "Paths in space, heights drawn larger than distances; numbers are vehicles.";
+  figure.caption =
+      "Paths in space, as planned before the flight and as flown; heights are drawn larger than distances.";
   figure.commands = path_blocks(input, unit) + labels(input, unit, true) + axes(extent, unit);
   std::string plots;
   const auto& terrain = input.data.mission.terrain;
   if (terrain) {
     figure.commands += ground_block(*terrain, extent, unit);
-    plots += ", $ground using 1:2:3 with lines linewidth 0.6 linecolor rgb '#cfc4b0' title 'ground'";
+    plots += ", $ground using 1:2:3 with lines linewidth 0.5 linecolor rgb '#e2d8c6' title 'ground'";
   }
   for (std::size_t k = 0; k < kZoneLooks.size(); ++k) {
     Block block(kZoneLooks[k].block);
@@ -255,11 +301,16 @@ Sketched sketch_paths3d(const RunInput& input) {
     plots += fmt::format(", ${} using 1:2:3 with lines linewidth 0.8 linecolor rgb '{}' title '{}'",
                          kZoneLooks[k].block, kZoneLooks[k].edge, kZoneLooks[k].title);
   }
-  plots += path_plots(input, "1:2:3", input.data.mission.transit.has_value());
+  const Seen seen = seen_in(input, unit, true);
+  figure.commands += seen.blocks;
+  plots += seen.plots + path_plots(input, "1:2:3", input.data.mission.transit.has_value());
   figure.commands += fmt::format(
-      "set zrange [{:.9g}:{:.9g}]\nset xyplane at {:.9g}\nset zlabel 'height ({})' rotate parallel\nset view 58,332\n"
-      "set view equal xy\nset border 127+256+512 linecolor rgb '#888888'\nset ticslevel 0\n"
-      "set key outside below center horizontal samplen 2.5\nsplot {}\n",
+      "set zrange [{:.9g}:{:.9g}]\nset xyplane at {:.9g}\nset zlabel 'height ({})' rotate parallel\nset view "
+      "60,332,1.35,1\n"
+      "set view equal xy\nset lmargin at screen 0.04\nset rmargin at screen 0.80\nset tmargin at screen 0.97\nset "
+      "bmargin at screen 0.06\nset border 127+256+512 linecolor rgb "
+      "'#888888'\nset ticslevel 0\n"
+      "set key at screen 0.985,0.96 right top vertical Left reverse samplen 2\nsplot {}\n",
       z_m.low / unit.in_m, z_m.high / unit.in_m, z_m.low / unit.in_m, unit.name, plots.substr(2));
   return figure;
 }

@@ -56,9 +56,7 @@ void RunCollector::add(bus::TopicId topic, std::span<const std::uint8_t> payload
       });
       return;
     case bus::TopicId::Sense:
-      take<wire::Sense>(payload, [&](const Sense& sense) {
-        sensed_.try_emplace({sense.agent, sense.round}, sense.pose.position_m);
-      });
+      take<wire::Sense>(payload, [&](const Sense& sense) { add_sense(sense); });
       return;
     case bus::TopicId::Beacon:
       take<wire::Beacon>(payload, [&](const Beacon& beacon) { add_beacon(beacon); });
@@ -75,6 +73,18 @@ void RunCollector::add(bus::TopicId topic, std::span<const std::uint8_t> payload
 
 void RunCollector::add_beacon(const Beacon& beacon) {
   if (beacon.incarnation > 0 && beacon.closes_round) beacons_.try_emplace({beacon.agent, beacon.round}, beacon);
+}
+
+void RunCollector::add_sense(const Sense& sense) {
+  sensed_.try_emplace({sense.agent, sense.round}, sense.pose.position_m);
+  for (const Track& track : sense.tracks) {
+    SeenObstacle& seen =
+        seen_.try_emplace(track.id, SeenObstacle{track.id, track.radius_m, track.fixed, {}}).first->second;
+    std::uint32_t& last = seen_in_[track.id];
+    if (last >= sense.round || (seen.fixed && last > 0)) continue;
+    last = sense.round;
+    seen.places_m.push_back(track.position_m);
+  }
 }
 
 std::vector<TracePoint> RunCollector::flown_by(AgentId agent) const {
@@ -108,7 +118,8 @@ std::vector<rendezvous::ProfilePoint> RunCollector::planned_by(AgentId agent) co
 }
 
 RunData RunCollector::data() const {
-  RunData run{mission_, {}};
+  RunData run{mission_, {}, {}};
+  for (const auto& [id, seen] : seen_) run.seen.push_back(seen);
   for (const VehicleSpec& spec : mission_.vehicles) {
     VehicleTrace trace{spec, flown_by(spec.id), planned_by(spec.id), {}, 0.0};
     if (!trace.planned.empty()) trace.planned_length_m = trace.planned.back().arc_m;

@@ -41,9 +41,18 @@ struct VehicleTrace {
   double planned_length_m = 0.0;
 };
 
+/// Something that was in nobody's plan, where sensors saw it.
+struct SeenObstacle {
+  std::uint32_t id = 0;
+  double radius_m = 0.0;
+  bool fixed = false;
+  std::vector<Vec3> places_m;  ///< one a round in which anybody saw it; of a fixed one the first
+};
+
 struct RunData {
   Mission mission;
   std::vector<VehicleTrace> vehicles;  ///< as the mission's
+  std::vector<SeenObstacle> seen;      ///< by id
 };
 
 struct SeparationPoint {
@@ -84,6 +93,7 @@ class RunCollector {
   template <typename Wire, typename Use>
   void take(std::span<const std::uint8_t> payload, const Use& use);
   void add_beacon(const Beacon& beacon);
+  void add_sense(const Sense& sense);
   [[nodiscard]] std::vector<TracePoint> flown_by(AgentId agent) const;
   [[nodiscard]] std::vector<rendezvous::ProfilePoint> planned_by(AgentId agent) const;
 
@@ -93,6 +103,8 @@ class RunCollector {
   std::map<std::uint32_t, std::uint32_t> steps_;  ///< of flight rounds
   std::map<Key, Vec3> sensed_;
   std::map<Key, Beacon> beacons_;
+  std::map<std::uint32_t, SeenObstacle> seen_;
+  std::map<std::uint32_t, std::uint32_t> seen_in_;  ///< the last round in which it was
   std::map<Key, std::vector<double>> particles_;
   std::uint64_t unreadable_ = 0;
 };
