@@ -20,6 +20,11 @@ void write_whole(const std::string& path, const std::string& bytes) {
   if (!file) throw std::runtime_error(fmt::format("cannot write {}: {}", path, std::strerror(errno)));
 }
 
+void check_report(const std::string& path) {
+  write_whole(path, "");
+  (void)figure::draw("set terminal svg\nplot 0\n");
+}
+
 void write_report(const figure::Input& input, const std::string& path, const std::string& command) {
   html::Drawn drawn{{}, {}, std::string(version()), command};
   const bool sweep = std::holds_alternative<figure::SweepInput>(input);

@@ -84,21 +84,6 @@ RunInput input_of_report(const std::string& name, const fs::path& path) {
   return input;
 }
 
-SweepInput input_of_sweep(const std::string& path, Json document) {
-  SweepInput input;
-  input.name = path;
-  input.document = std::move(document);
-  input.command = input.document.value("command", "");
-  const std::string scenario = input.document.value("scenario", "");
-  try {
-    input.scenario_text = text_of_file(scenario);
-  } catch (const std::exception& error) {
-    input.notes.push_back(fmt::format("the scenario is not there any more: {}", error.what()));
-  }
-  if (!input.document.value("complete", true)) input.notes.emplace_back("the sweep was interrupted");
-  return input;
-}
-
 bool is_recording(const std::string& text) {
   return text.size() >= mcap::kMagic.size() &&
          std::equal(mcap::kMagic.begin(), mcap::kMagic.end(), text.begin(),
@@ -114,6 +99,21 @@ std::string text_of_file(const std::string& path) {
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file.is_open() || file.bad()) throw std::runtime_error(fmt::format("{}: {}", path, std::strerror(errno)));
   return text;
+}
+
+SweepInput input_of_sweep(const std::string& name, Json document) {
+  SweepInput input;
+  input.name = name;
+  input.document = std::move(document);
+  input.command = input.document.value("command", "");
+  const std::string scenario = input.document.value("scenario", "");
+  try {
+    input.scenario_text = text_of_file(scenario);
+  } catch (const std::exception& error) {
+    input.notes.push_back(fmt::format("the scenario is not there any more: {}", error.what()));
+  }
+  if (!input.document.value("complete", true)) input.notes.emplace_back("the sweep was interrupted");
+  return input;
 }
 
 Input read_input(const std::string& path) {

@@ -45,6 +45,9 @@ using Input = std::variant<RunInput, SweepInput>;
 /// @throws std::runtime_error with one line if it holds nothing that can be drawn
 [[nodiscard]] Input read_input(const std::string& path);
 
+/// Of a sweep's document. @param name of its file, or of its scenario
+[[nodiscard]] SweepInput input_of_sweep(const std::string& name, Json document);
+
 /// The text of a file. @throws std::runtime_error with one line
 [[nodiscard]] std::string text_of_file(const std::string& path);
 

@@ -79,6 +79,11 @@ std::string shell_word(std::string_view text) {
   return word + "'";
 }
 
+std::string override_words(const std::string& key, const std::string& value) {
+  if (key.starts_with("--")) return fmt::format("{} {}", key, shell_word(value));
+  return fmt::format("--set {}", shell_word(key + "=" + value));
+}
+
 std::string text_of(const Json& value) {
   if (value.is_null()) return "–";
   if (value.is_string()) return value.get<std::string>();

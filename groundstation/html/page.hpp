@@ -25,6 +25,9 @@ using Json = nlohmann::ordered_json;
 /// A word of a shell's command line.
 [[nodiscard]] std::string shell_word(std::string_view text);
 
+/// How a change of the scenario is said: "--set key=value", or "--agents 3".
+[[nodiscard]] std::string override_words(const std::string& key, const std::string& value);
+
 /// A value for people: numbers with up to seven digits, null as a dash, lists with commas.
 [[nodiscard]] std::string text_of(const Json& value);
 

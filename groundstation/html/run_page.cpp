@@ -169,11 +169,7 @@ std::string run_command(const RunInput& input) {
                                  ? input.report.at("seed").get<std::uint64_t>()
                                  : input.data.mission.seed;
   std::string command = fmt::format("skein run {} --seed {}", shell_word(input.scenario_path), seed);
-  for (const Override& item : input.overrides) {
-    const bool flag = item.key.starts_with("--");
-    command += flag ? fmt::format(" {} {}", item.key, shell_word(item.value))
-                    : fmt::format(" --set {}", shell_word(item.key + "=" + item.value));
-  }
+  for (const Override& item : input.overrides) command.append(" ").append(override_words(item.key, item.value));
   if (input.report.is_object() && input.report.value("fail_fast", false)) command += " --fail-fast";
   return command;
 }
