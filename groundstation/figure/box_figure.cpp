@@ -80,7 +80,7 @@ std::string box_panel(const Json& rows, const std::string& name, std::size_t pan
     blocks += block.text();
     plots += fmt::format(", ${} using ({}):2 with boxplot {} notitle", block_name, i + 1, colour(i));
   }
-  const Span shown = Span{span.low / unit.in_m, span.high / unit.in_m}.widened(0.08, 1e-9);
+  const Span shown = Span{span.low / unit.in_m, span.high / unit.in_m}.widened(0.08, 0.0);
   return fmt::format("set ylabel {}\nset yrange [{:.9g}:{:.9g}]\nplot {}\n", quote(axis_of(name, unit)), shown.low,
                      shown.high, plots.substr(2));
 }

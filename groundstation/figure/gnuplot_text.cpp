@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "groundstation/figure/figures.hpp"
 
@@ -13,7 +14,10 @@ namespace {
 constexpr std::array<std::string_view, 8> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                    "#e69f00", "#56b4e9", "#8c564b", "#444444"};
 constexpr std::array<std::string_view, 5> kDashes{"solid", "(12,4)", "(4,3)", "(12,3,3,3)", "(20,5)"};
+constexpr std::string_view kApostrophe = "\xE2\x80\x99";
 constexpr double kKilometres_m = 3000.0;
+constexpr double kEqual = 1e-6;        // of a value: closer than that is the same
+constexpr double kAround = 0.02;       // shown around one value
 constexpr double kLogarithmic = 20.0;  // most over least from which an axis is logarithmic
 constexpr double kBeyond = 1.3;
 constexpr std::size_t kBelow = 12;
@@ -22,12 +26,15 @@ constexpr std::size_t kBeside = 40;
 }  // namespace
 
 std::string quote(std::string_view text) {
-  std::string text_in_quotes = "'";
+  std::string inside;
   for (const char c : text) {
-    text_in_quotes += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    if (c == '\'') text_in_quotes += c;
+    if (c == '\'') {
+      inside += kApostrophe;
+    } else {
+      inside += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
   }
-  return text_in_quotes + "'";
+  return "'" + inside + "'";
 }
 
 std::string colour(std::size_t i) {
@@ -65,7 +72,10 @@ void Span::take(double value) {
 }
 
 Span Span::widened(double share, double least) const {
-  const double by = std::max(share * width(), least);
+  const double size = std::max(std::abs(low), std::abs(high));
+  double by = std::max(share * width(), least);
+  if (by <= kEqual * size) by = kAround * size;
+  if (by <= 0.0) by = kAround;
   return {low - by, high + by};
 }
 
@@ -78,7 +88,7 @@ std::string y_axis(const Span& values) {
     return fmt::format("set logscale y\nset format y '%g'\nset yrange [{:.9g}:{:.9g}]\n", values.low / kBeyond,
                        values.high * kBeyond);
   }
-  const Span shown = values.widened(0.06, 1e-9);
+  const Span shown = values.widened(0.06, 0.0);
   return fmt::format("set yrange [{:.9g}:{:.9g}]\n", shown.low, shown.high);
 }
 

@@ -11,7 +11,8 @@
 
 namespace skein::figure {
 
-/// A text in single quotes, in which gnuplot reads nothing; control characters become blanks.
+/// A text in single quotes, in which gnuplot reads nothing; control characters become blanks, quotes typographic ones
+/// (gnuplot 5.4 loses a text that begins with a doubled one).
 [[nodiscard]] std::string quote(std::string_view text);
 
 /// "linecolor rgb ..." of the i-th curve, from 0.
@@ -39,7 +40,7 @@ struct Span {
   double high = -1.0;  ///< below `low`: nothing yet
   void take(double value);
   [[nodiscard]] bool empty() const { return high < low; }
-  /// By a share of its width at both ends, at least by `least`.
+  /// By a share of its width at both ends, at least by `least`; never empty.
   [[nodiscard]] Span widened(double share, double least) const;
   [[nodiscard]] double width() const { return high - low; }
 };

@@ -58,7 +58,7 @@ Sketched sketch_along(const RunInput& input, const Along& along) {
                          vehicles[i].spec.id);
   }
   if (value_per_m.low >= 0.0) value_per_m.take(0.0);
-  const Span shown = value_per_m.widened(0.06, 1e-9);
+  const Span shown = value_per_m.widened(0.06, 0.0);
   Sketch figure;
   figure.caption = fmt::format("{} along the planned paths.",
                                std::string(1, static_cast<char>(along.what[0] - 32)) + (along.what + 1));

@@ -94,7 +94,7 @@ TEST(Figures, BoxesOfASweepAreDrawn) {
 }
 
 TEST(Figures, ANameStaysInItsQuotes) {
-  EXPECT_EQ(quote("it's\n`id`"), "'it''s `id`'");
+  EXPECT_EQ(quote("it's\n`id`"), "'it\xE2\x80\x99s `id`'");
   const Sketched sketched = sketch(FigureKind::Box, sweep_of("'; system('echo gone >&2') #\\"));
   ASSERT_EQ(reason_of(sketched), "");
   const std::string svg = draw(script_of(std::get<Sketch>(sketched), Format::Svg));

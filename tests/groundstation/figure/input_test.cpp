@@ -57,7 +57,6 @@ TEST_F(InputTest, ACutRecordingIsDrawnUpToThereAndSaysSo) {
   const auto input = std::get<RunInput>(read_input(write("a.mcap", bytes)));
   EXPECT_FALSE(input.data.vehicles.front().flown.empty());
   EXPECT_THAT(input.notes, Contains(HasSubstr("the file is not whole")));
-  EXPECT_TRUE(input.report.is_null());
 }
 
 TEST_F(InputTest, OfABrokenFileNothingIsDrawn) {
@@ -78,7 +77,7 @@ TEST_F(InputTest, AFoldersRunIsDoneAgainIfItsScenarioIsTheSame) {
   write("scenario.yaml", scenario.text);
   const auto input = std::get<RunInput>(read_input(folder_.string()));
   EXPECT_THAT(input.notes, ElementsAre(HasSubstr("to the same state hash")));
-  EXPECT_EQ(input.data.vehicles[1].flown.back().step, 40U);
+  EXPECT_EQ(input.data.vehicles[1].flown.back().step, 39U);
   EXPECT_EQ(input.report["state_hash"], report["state_hash"]);
   write("scenario.yaml", scenario.text + "\n# changed\n");
   const auto other = std::get<RunInput>(read_input(folder_.string()));
