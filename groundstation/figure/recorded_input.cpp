@@ -65,6 +65,10 @@ void take_scenario(const mcap::Reader& reader, RunInput& input) {
   if (const auto attached = reader.attachment(kScenarioName)) {
     input.scenario_text.assign(attached->data.begin(), attached->data.end());
   }
+  if (!reader.metadata("skein.scenario")) {
+    throw std::runtime_error(
+        "the file does not hold its scenario: obstacles that agents are not told of are not drawn");
+  }
   const Scenario scenario = scenario_of(reader);
   input.scenario_path = scenario.path;
   input.overrides = scenario.overrides;

@@ -56,9 +56,8 @@ Sketched sketch_paths3d(const RunInput& input) {
   }
   z_m = {std::min(0.0, z_m.low), z_m.widened(kPathMargin, 0.0).high};
   Sketch figure;
-  figure.height_px = 640;
-  figure.caption =
-      "Paths in space, as planned before the flight and as flown; heights are drawn larger than distances.";
+  figure.height_px = 680;
+  figure.caption = "Paths in space, as planned before the flight and as flown; heights have a scale of their own.";
   figure.commands = path_blocks(input, unit) + labels(input, unit, true) + axes(extent, unit);
   std::string plots;
   const auto& terrain = input.data.mission.terrain;
@@ -83,11 +82,9 @@ Sketched sketch_paths3d(const RunInput& input) {
   figure.commands += seen.blocks;
   plots += seen.plots + path_plots(input, "1:2:3", input.data.mission.transit.has_value());
   figure.commands += fmt::format(
-      "set zrange [{:.9g}:{:.9g}]\nset xyplane at {:.9g}\nset zlabel 'height ({})' rotate parallel\nset view "
-      "60,332,1.35,1\n"
-      "set view equal xy\nset lmargin at screen 0.04\nset rmargin at screen 0.80\nset tmargin at screen 0.97\nset "
-      "bmargin at screen 0.06\nset border 127+256+512 linecolor rgb "
-      "'#888888'\nset ticslevel 0\n"
+      "set zrange [{:.9g}:{:.9g}]\nset xyplane at {:.9g}\nset zlabel 'height ({})' rotate parallel\n"
+      "set view 60,332,1,0.75\nset view equal xy\nset ticslevel 0\nset border 127+256+512 linecolor rgb '#888888'\n"
+      "set lmargin at screen 0.20\nset rmargin at screen 0.68\nset tmargin at screen 0.97\nset bmargin at screen 0.07\n"
       "set key at screen 0.985,0.96 right top vertical Left reverse samplen 2\nsplot {}\n",
       z_m.low / unit.in_m, z_m.high / unit.in_m, z_m.low / unit.in_m, unit.name, plots.substr(2));
   return figure;

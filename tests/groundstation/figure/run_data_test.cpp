@@ -94,6 +94,25 @@ TEST(RunData, CostsAreThoseOfEachGeneration) {
   }
 }
 
+TEST(RunData, WhereNobodyRecordedTheSensesBeaconsTellThePlaces) {
+  RunCollector whole;
+  RunCollector observed;
+  InProcessOptions options;
+  options.tap = [&](AgentId, const wire::Sample& sample) {
+    whole.add(topic_of(sample), payload_of(sample));
+    if (topic_of(sample) != bus::TopicId::Sense) observed.add(topic_of(sample), payload_of(sample));
+  };
+  (void)run_in_process(tests::small_scenario("small", 7), options);
+  const RunData a = whole.data();
+  const RunData b = observed.data();
+  for (std::size_t i = 0; i < a.vehicles.size(); ++i) {
+    ASSERT_EQ(a.vehicles[i].flown.size(), b.vehicles[i].flown.size());
+    for (std::size_t k = 0; k < a.vehicles[i].flown.size(); ++k) {
+      EXPECT_EQ(a.vehicles[i].flown[k].position_m, b.vehicles[i].flown[k].position_m);
+    }
+  }
+}
+
 TEST(RunData, OfALostVehicleThereIsNothingAfterItsLoss) {
   InProcessOptions options;
   options.faults.push_back(*parse_fault("kill:2@fly:40").fault);
