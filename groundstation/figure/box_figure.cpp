@@ -12,8 +12,11 @@ namespace {
 // What a sweep is about, in this order; those that all runs have equal say nothing.
 constexpr std::array<std::string_view, 7> kTelling{"longest_path_m",   "total_path_m",    "plan_spread_m", "steps",
                                                    "min_separation_m", "min_clearance_m", "replan_rounds"};
+constexpr double kSame = 1e-6;  // of the largest value, or of 1
 constexpr std::size_t kMostPanels = 5;
 constexpr int kPanel_px = 330;
+constexpr std::size_t kFewRows = 5;      // more: labels stand upright
+constexpr std::size_t kWideRows = 12;    // more: one panel a line
 constexpr std::size_t kManyLabels = 26;  // letters of all labels from which they are turned
 
 /// What the swept values of a row are, without their keys; those stand below the axis.
@@ -56,7 +59,8 @@ std::string ticks_of(const Json& rows) {
     letters += label.size() + 2;
     ticks += fmt::format("{}{} {}", i > 0 ? ", " : "", quote(label), i + 1);
   }
-  return fmt::format("set xtics ({}){}\n", ticks, letters > kManyLabels ? " rotate by -25" : "");
+  const char* turn = letters <= kManyLabels ? "" : rows.size() <= kFewRows ? " rotate by -25" : " rotate by -90";
+  return fmt::format("set xtics ({}){}\n", ticks, turn);
 }
 
 /// "longest_path_m" -> "longest path (m)"; of many metres in kilometres.
@@ -118,7 +122,8 @@ Sketched sketch_box(const SweepInput& input, const std::string& value) {
   if (value.empty()) {
     for (const std::string_view name : kTelling) {
       const Span span = span_of(rows, std::string(name));
-      if (!span.empty() && span.width() > 0.0 && names.size() < kMostPanels) names.emplace_back(name);
+      const bool differs = !span.empty() && span.width() > kSame * std::max(1.0, span.high);
+      if (differs && names.size() < kMostPanels) names.emplace_back(name);
     }
   } else {
     if (span_of(rows, value).empty()) return NoSketch{fmt::format("the sweep has no figure '{}'", value)};
@@ -129,7 +134,8 @@ Sketched sketch_box(const SweepInput& input, const std::string& value) {
   if (value.empty()) panels += success_panel(rows, blocks);
   for (std::size_t i = 0; i < names.size(); ++i) panels += box_panel(rows, names[i], i, blocks);
   const std::size_t count = names.size() + (value.empty() ? 1 : 0);
-  const std::size_t lines = (count + 1) / 2;
+  const std::size_t columns = rows.size() > kWideRows ? 1 : 2;
+  const std::size_t lines = (count + columns - 1) / columns;
   Sketch figure;
   figure.height_px = kPanel_px * static_cast<int>(lines) + (count == 1 ? 120 : 0);
   figure.caption = "Single runs by swept value: median, quartiles, whiskers to 1.5 times their distance, runs beyond";
@@ -139,7 +145,8 @@ Sketched sketch_box(const SweepInput& input, const std::string& value) {
                         "set style data boxplot\nset style fill solid 0.25 border\nset xrange [0.4:{}.6]\n"
                         "set xlabel {}\nunset key\n",
                         rows.size(), quote(keys_of(rows)));
-  figure.commands += count > 1 ? fmt::format("set multiplot layout {},2\n{}unset multiplot\n", lines, panels) : panels;
+  figure.commands +=
+      count > 1 ? fmt::format("set multiplot layout {},{}\n{}unset multiplot\n", lines, columns, panels) : panels;
   return figure;
 }
 
