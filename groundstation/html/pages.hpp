@@ -29,7 +29,7 @@ struct Drawn {
 [[nodiscard]] std::string page_of(const figure::RunInput& input, const Drawn& drawn);
 [[nodiscard]] std::string page_of(const figure::SweepInput& input, const Drawn& drawn);
 
-/// The command that runs it again in process; empty if its scenario is not known.
+/// The command that runs it again in process, with the same losses; empty if its scenario is not known.
 [[nodiscard]] std::string rerun_command(const figure::RunInput& input);
 
 }  // namespace skein::html

@@ -179,7 +179,9 @@ std::string rerun_command(const RunInput& input) {
   if (command.empty()) return "";
   command += " --in-process";
   const bool changed = input.report.is_object() && !input.report.value("roster_changes", Json::array()).empty();
-  return changed ? command + " --roster report.json" : command;
+  if (!changed) return command;
+  if (!of_facts(input, "recorder").empty()) return "skein verify " + shell_word(input.name) + " --rerun";
+  return command + " --roster " + shell_word(input.name.ends_with(".json") ? input.name : input.name + "/report.json");
 }
 
 std::string page_of(const RunInput& input, const Drawn& drawn) {

@@ -96,7 +96,10 @@ TEST(RunPage, LossesAreRepeatedByTheCommandThatRunsItAgain) {
   figure::RunInput input = run_input();
   EXPECT_THAT(rerun_command(input), Not(HasSubstr("--roster")));
   input.report["roster_changes"] = {{{"step", 1}}};
-  EXPECT_THAT(rerun_command(input), HasSubstr("--in-process --roster report.json"));
+  input.name = "runs/one";
+  EXPECT_THAT(rerun_command(input), HasSubstr("--in-process --roster runs/one/report.json"));
+  input.facts["recorder"] = "barrier";
+  EXPECT_EQ(rerun_command(input), "skein verify runs/one --rerun");
 }
 
 TEST(RunPage, WithoutAReportItSaysSo) {
