@@ -12,7 +12,7 @@ build_packages=(
   libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libzstd-dev libyaml-cpp-dev
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev libncurses-dev
 )
-check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 tmux nodejs npm ccache
+check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 tmux nodejs npm ccache gnuplot-nox
   clang-14 clang-tidy-14 libclang-rt-14-dev # sanitizers and libFuzzer
   cyclonedds-dev cyclonedds-tools) # a second vendor attaches
 container_packages=(python3 iptables iproute2 util-linux libfaketime) # faults are injected from outside

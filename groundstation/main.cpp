@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   const std::map<std::string, skein::VerbAction> verbs{
       {"chaos", skein::add_chaos_verb(app)},         {"doctor", skein::add_doctor_verb(app)},
       {"dump", skein::add_dump_verb(app)},           {"monitor", skein::add_monitor_verb(app)},
-      {"profile", skein::add_profile_verb(app)},     {"record", skein::add_record_verb(app)},
+      {"plot", skein::add_plot_verb(app)},           {"profile", skein::add_profile_verb(app)},
+      {"record", skein::add_record_verb(app)},       {"report", skein::add_report_verb(app)},
       {"reproduce", skein::add_reproduce_verb(app)}, {"run", skein::add_run_verb(app)},
       {"status", skein::add_status_verb(app)},       {"sweep", skein::add_sweep_verb(app)},
       {"topics", skein::add_topics_verb(app)},       {"validate", skein::add_validate_verb(app)},

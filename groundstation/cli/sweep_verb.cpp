@@ -7,12 +7,16 @@
 #include <thread>
 
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/cli/write_report.hpp"
+#include "groundstation/figure/gnuplot.hpp"
+#include "groundstation/html/page.hpp"
 #include "groundstation/sweep/curves.hpp"
 #include "groundstation/sweep/sweep.hpp"
 #include "groundstation/sweep/table.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/lockstep/run.hpp"
 #include "simworld/process/world_process.hpp"
+#include "simworld/report/report.hpp"
 
 namespace skein {
 namespace {
@@ -25,6 +29,7 @@ struct SweepArguments {
   unsigned jobs = 0;
   std::optional<double> require_success;
   std::string curves;
+  std::string report;
   bool json = false;
 };
 
@@ -91,11 +96,46 @@ SweepPlan plan_of(const SweepArguments& arguments) {
   return plan;
 }
 
+/// As the user may say it again: --planner and its like are told as the keys that they stand for.
+std::string command_of(const SweepArguments& arguments) {
+  std::string command = fmt::format("skein sweep {} --runs {} --seed {}", html::shell_word(arguments.world.scenario),
+                                    arguments.runs, arguments.world.seed.value_or(0));
+  for (const Override& item : arguments.world.overrides)
+    command.append(" ").append(html::override_words(item.key, item.value));
+  return command;
+}
+
+Json document_of(const SweepArguments& arguments, const SweepResult& result) {
+  Json document{{"scenario", arguments.world.scenario}, {"complete", !result.stopped}};
+  document["version"] = version();
+  document["command"] = command_of(arguments);
+  document["table"] = table_of(result.rows);
+  document["rows"] = result.rows;
+  return document;
+}
+
+/// @return the exit code if the page cannot be written, said in one line
+std::optional<int> guarded_report(const std::function<void()>& action) {
+  try {
+    action();
+    return std::nullopt;
+  } catch (const figure::NoGnuplot& error) {
+    std::cerr << fmt::format("--report: {}\n", error.what());
+    return static_cast<int>(ExitCode::StartUp);
+  } catch (const std::exception& error) {
+    std::cerr << fmt::format("--report: {}\n", error.what());
+    return static_cast<int>(ExitCode::Usage);
+  }
+}
+
 int sweep(const SweepArguments& arguments) {
   SweepPlan plan = plan_of(arguments);
   if (plan.first_seed + (plan.runs - 1) < plan.first_seed) {
     std::cerr << fmt::format("--seed {}: {} runs from it go beyond 2^64 - 1\n", plan.first_seed, plan.runs);
     return static_cast<int>(ExitCode::Usage);
+  }
+  if (!arguments.report.empty()) {
+    if (const auto code = guarded_report([&] { check_report(arguments.report); })) return *code;
   }
   const SignalWatch signals({SIGINT, SIGTERM});
   std::optional<int> signal;
@@ -119,14 +159,19 @@ int sweep(const SweepArguments& arguments) {
     return static_cast<int>(ExitCode::Usage);
   }
   if (arguments.json) {
-    Json document{{"scenario", arguments.world.scenario}, {"complete", !result.stopped}};
-    document["table"] = table_of(result.rows);
-    document["rows"] = result.rows;
-    std::cout << document.dump(2) << "\n";
+    std::cout << document_of(arguments, result).dump(2) << "\n";
   } else if (result.rows.size() > 1) {
     print_side_by_side(result.rows, table_of(result.rows));
   } else {
     print_table(result.rows);
+  }
+  if (!arguments.report.empty()) {
+    const auto write = [&] {
+      const figure::Json document = document_of(arguments, result);
+      write_report(figure::input_of_sweep(arguments.world.scenario, document), arguments.report,
+                   command_of(arguments) + " --report " + html::shell_word(arguments.report));
+    };
+    if (const auto code = guarded_report(write)) return *code;
   }
   if (signal) return 128 + *signal;
   for (const Json& row : result.rows) {
@@ -157,6 +202,7 @@ VerbAction add_sweep_verb(CLI::App& app) {
   verb->add_option("--require-success", arguments->require_success, "exit 1 if a success rate is lower")
       ->check(CLI::Range(0.0, 1.0));
   verb->add_option("--curves", arguments->curves, "folder for the curves (CSV) of each combination's first run");
+  verb->add_option("--report", arguments->report, "FILE.html: a page with tables and box plots (docs/reports.md)");
   verb->add_flag("--json", arguments->json, "print JSON, with every run");
   return [arguments] { return sweep(*arguments); };
 }

@@ -194,6 +194,11 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["seed"] = scenario.mission.seed;
   report["scenario"] = scenario.mission.name;
   report["scenario_hash"] = fmt::format("{:016x}", scenario.scenario_hash);
+  report["scenario_path"] = scenario.path;
+  report["overrides"] = Json::array();
+  for (const Override& item : scenario.overrides) {
+    report["overrides"].push_back({{"key", item.key}, {"value", item.value}});
+  }
   report["version"] = version();
   report["carrier"] = context.carrier;
   report["fail_fast"] = session.fail_fast();
