@@ -158,6 +158,7 @@ VerbAction add_sweep_verb(CLI::App& app) {
       ->check(CLI::Range(0.0, 1.0));
   verb->add_option("--curves", arguments->curves, "folder for the curves (CSV) of each combination's first run");
   verb->add_flag("--json", arguments->json, "print JSON, with every run");
+  verb->footer("Example: skein sweep deploy/scenarios/rendezvous-2d.yaml --runs 1000 --set planner.particles=10,20");
   return [arguments] { return sweep(*arguments); };
 }
 
