@@ -90,6 +90,9 @@ const std::vector<FailureRow>& failure_rows() {
       {{"sweep", "$BROKEN"}, 2, "$BROKEN:"},
       {{"sweep", "$GOOD", "--runs", "0"}, 2, "--runs"},
       {{"sweep", "$GOOD", "--seed", "18446744073709551615", "--runs", "3"}, 2, "--seed"},
+      {{"sweep", "$GOOD", "--runs", "1", "--junit", "$NONE/file"}, 2, "--junit: cannot write $NONE/file"},
+      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$NONE/file"}, 2, "--resume: $NONE/file: it cannot be written"},
+      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$TEXT"}, 2, "--resume: $TEXT: it is no journal of a sweep"},
       {{"sweep", "$GOOD", "--runs", "1", "--curves", "/dev/null/curves"}, 2, "--curves"},
       {{"sweep", "$GOOD", "--runs", "1", "--set", "world.max_steps=3", "--require-success", "1"}, 1, "success rate"},
 
