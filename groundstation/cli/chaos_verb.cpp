@@ -159,6 +159,7 @@ VerbAction add_chaos_verb(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--out", arguments->world.out, "folder for the runs; those that kept every promise are removed");
   verb->add_flag("--json", arguments->json, "print the table as JSON on standard output");
+  verb->footer("Example: skein chaos deploy/scenarios/rendezvous-ring.yaml --runs 20 --seed 1");
   return [arguments] { return run(*arguments); };
 }
 

@@ -17,6 +17,7 @@ constexpr int kBad = 2;
 struct DumpArguments {
   std::string file;
   std::string topic;
+  bool json = false;  ///< nothing else is printed anyway
 };
 
 /// Decoded with the schema that the file itself carries.
@@ -71,6 +72,7 @@ VerbAction add_dump_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("dump", "print the samples of a recording, one JSON object a line");
   verb->add_option("FILE", arguments->file, "recording")->required();
   verb->add_option("--topic", arguments->topic, "of this topic alone: skein/tick");
+  verb->add_flag("--json", arguments->json, "what it prints in any case");
   verb->footer(
       "64-bit integers are texts, as in the JSON of protobuf.\nExample: skein dump run.mcap --topic skein/beacon");
   return [arguments] { return dump(*arguments); };

@@ -54,9 +54,9 @@ int record(RecordArguments& arguments) {
       arguments.plan.scenario = &*scenario;
     }
     const Recorded recorded = record_attached(arguments.plan);
-    if (!recorded.has_file) {
-      std::cerr << "skein record: " << recorded.reason << "\n";
-    } else if (arguments.json) {
+    if (recorded.exit_code != 0) std::cerr << "skein record: " << recorded.reason << "\n";
+    if (!recorded.has_file) return recorded.exit_code;
+    if (arguments.json) {
       std::cout << json_of(recorded, arguments.plan.file).dump(2) << "\n";
     } else {
       print(recorded, arguments.plan.file);

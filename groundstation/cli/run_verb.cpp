@@ -278,6 +278,7 @@ VerbAction add_run_verb(CLI::App& app) {
     attach->excludes(verb->get_option(name));
   }
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");
+  verb->footer("Example: skein run deploy/scenarios/rendezvous-2d.yaml --seed 1");
   return [arguments] { return run(*arguments); };
 }
 

@@ -16,6 +16,7 @@ using VerbAction = std::function<int()>;
 [[nodiscard]] VerbAction add_profile_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_dump_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_record_verb(CLI::App& app);
+[[nodiscard]] VerbAction add_replay_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_report_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_reproduce_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_run_verb(CLI::App& app);

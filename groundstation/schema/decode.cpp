@@ -63,10 +63,15 @@ Json real(double value) {
 
 Json structure(const Struct& type, CdrReader& reader);
 
-Json item(const Field& field, CdrReader& reader) {
+Json boolean(CdrReader& reader) {
+  const auto octet = reader.number<std::uint8_t>();
+  return octet > 1 ? reader.refuse() : Json(octet == 1);
+}
+
+Json item_of(const Field& field, CdrReader& reader) {
   switch (field.basic) {
     case Basic::Boolean:
-      return reader.number<std::uint8_t>() != 0;
+      return boolean(reader);
     case Basic::Octet:
       return reader.number<std::uint8_t>();
     case Basic::Char:
@@ -95,6 +100,12 @@ Json item(const Field& field, CdrReader& reader) {
   return reader.refuse();
 }
 
+/// Null if the bytes are none; of a struct what comes before.
+Json item(const Field& field, CdrReader& reader) {
+  Json found = item_of(field, reader);
+  return reader.good() || field.basic == Basic::Struct ? found : Json();
+}
+
 Json value(const Field& field, CdrReader& reader) {
   if (field.shape == Shape::One) return item(field, reader);
   const std::uint32_t length = field.shape == Shape::Array ? field.length : reader.number<std::uint32_t>();
@@ -107,8 +118,27 @@ Json value(const Field& field, CdrReader& reader) {
 
 Json structure(const Struct& type, CdrReader& reader) {
   Json object = Json::object();
-  for (const Field& field : type.fields) object[field.name] = value(field, reader);
+  for (const Field& field : type.fields) {
+    object[field.name] = value(field, reader);
+    if (!reader.good()) break;
+  }
   return object;
+}
+
+void find_null(const Json& a, const Json& partial, const std::string& path, std::optional<Difference>& found) {
+  if (found) return;
+  if (partial.is_null()) {
+    found = {path, a, partial};
+  } else if (partial.is_object()) {
+    for (const auto& [key, inside] : partial.items()) {
+      find_null(a.is_object() ? a.value(key, Json()) : Json(), inside, path.empty() ? key : path + "." + key, found);
+    }
+  } else if (partial.is_array()) {
+    for (std::size_t i = 0; i < partial.size(); ++i) {
+      const bool there = a.is_array() && i < a.size();
+      find_null(there ? a[i] : Json(), partial[i], path + "[" + std::to_string(i) + "]", found);
+    }
+  }
 }
 
 void find(const Json& a, const Json& b, const std::string& path, std::optional<Difference>& found) {
@@ -139,6 +169,18 @@ std::optional<Json> decode(const Struct& type, std::span<const std::uint8_t> pay
   CdrReader reader(payload.subspan(kEncapsulation), payload[1] == 1);
   Json fields = structure(type, reader);
   return reader.good() ? std::optional(std::move(fields)) : std::nullopt;
+}
+
+Json decode_partly(const Struct& type, std::span<const std::uint8_t> payload) {
+  if (payload.size() < kEncapsulation || payload[0] != 0 || payload[1] > 1) return nullptr;
+  CdrReader reader(payload.subspan(kEncapsulation), payload[1] == 1);
+  return structure(type, reader);
+}
+
+std::optional<Difference> first_null(const Json& a, const Json& partial) {
+  std::optional<Difference> found;
+  find_null(a, partial, "", found);
+  return found;
 }
 
 std::optional<Difference> first_difference(const Json& a, const Json& b) {

@@ -19,6 +19,10 @@ using Json = nlohmann::ordered_json;
 /// An object with the fields of `type`; nothing if the bytes are no such sample.
 [[nodiscard]] std::optional<Json> decode(const Struct& type, std::span<const std::uint8_t> payload);
 
+/// As far as the bytes are such a sample: the field at which they stop being one is null, and the last; null if their
+/// encapsulation is none.
+[[nodiscard]] Json decode_partly(const Struct& type, std::span<const std::uint8_t> payload);
+
 /// Where two values differ first, and both values there.
 struct Difference {
   std::string field;  ///< "roster[2].incarnation"
@@ -27,5 +31,8 @@ struct Difference {
 
 /// In the order of the fields; nothing if they are equal.
 [[nodiscard]] std::optional<Difference> first_difference(const Json& a, const Json& b);
+
+/// The field of `partial` that is null, with its value in `a`; nothing if there is none.
+[[nodiscard]] std::optional<Difference> first_null(const Json& a, const Json& partial);
 
 }  // namespace skein::schema

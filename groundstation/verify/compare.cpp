@@ -33,6 +33,17 @@ RunDifference difference_in(const SampleName& name, const Bytes& a, const Bytes&
   return {name, "a value that is no number", nullptr, nullptr};
 }
 
+/// Of a sample that one run lacks: the field at which what it has instead stops being one.
+std::optional<RunDifference> fault_in(const SampleName& name, const Bytes& whole, const RecordedRun& other, bool is_b) {
+  const auto broken = other.broken().find(name);
+  if (broken == other.broken().end()) return std::nullopt;
+  const auto& type = schema::type_of(name.topic);
+  auto fault = schema::first_null(schema::decode_partly(type, whole), schema::decode_partly(type, broken->second));
+  if (!fault || fault->field.empty()) return std::nullopt;
+  if (!is_b) std::swap(fault->a, fault->b);
+  return RunDifference{name, fault->field, fault->a, fault->b};
+}
+
 nlohmann::ordered_json presence(bool there) {
   return there ? nlohmann::ordered_json("there") : nlohmann::ordered_json(nullptr);
 }
@@ -58,6 +69,8 @@ Comparison compare(const RecordedRun& a, const RecordedRun& b, std::uint32_t bef
     const bool has_b = in_b != b.samples().end();
     if (!has_a || !has_b) {
       comparison.difference = RunDifference{name, "", presence(has_a), presence(has_b)};
+      const auto fault = fault_in(name, has_a ? in_a->second : in_b->second, has_a ? b : a, has_a);
+      if (fault) comparison.difference = fault;
       return comparison;
     }
     if (in_a->second != in_b->second) {
@@ -80,7 +93,8 @@ std::string text_of(const Comparison& comparison) {
   if (found.field.empty()) {
     return fmt::format("different: {}: the sample is only in {}", place, found.a.is_null() ? "B" : "A");
   }
-  return fmt::format("different: {}, field {}: A {}, B {}", place, found.field, found.a.dump(), found.b.dump());
+  const auto text = [](const nlohmann::ordered_json& value) { return value.is_null() ? "no value" : value.dump(); };
+  return fmt::format("different: {}, field {}: A {}, B {}", place, found.field, text(found.a), text(found.b));
 }
 
 nlohmann::ordered_json json_of(const Comparison& comparison) {

@@ -14,7 +14,7 @@ namespace skein {
 struct RunDifference {
   SampleName where;
   std::string field;            ///< empty: one run has no such sample
-  nlohmann::ordered_json a, b;  ///< both values; of a sample that is not there null
+  nlohmann::ordered_json a, b;  ///< both values; null: it is not there, or the bytes are none of its type
 };
 
 struct Comparison {

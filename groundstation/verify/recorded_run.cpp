@@ -27,28 +27,37 @@ SampleName name_of(TopicId topic, const Wire& sample) {
 void RecordedRun::add(TopicId topic, std::span<const std::uint8_t> payload) {
   switch (topic) {
     case TopicId::Mission:
-      return take<wire::Mission>(payload);
+      return take<wire::Mission>(topic, payload);
     case TopicId::Tick:
-      return take<wire::Tick>(payload);
+      return take<wire::Tick>(topic, payload);
     case TopicId::Sense:
-      return take<wire::Sense>(payload);
+      return take<wire::Sense>(topic, payload);
     case TopicId::Beacon:
-      return take<wire::Beacon>(payload);
+      return take<wire::Beacon>(topic, payload);
     case TopicId::Representative:
-      return take<wire::Representative>(payload);
+      return take<wire::Representative>(topic, payload);
     case TopicId::ObstacleMap:
-      return take<wire::ObstacleMap>(payload);
+      return take<wire::ObstacleMap>(topic, payload);
   }
 }
 
 template <typename Wire>
-void RecordedRun::take(std::span<const std::uint8_t> payload) {
+void RecordedRun::take(TopicId topic, std::span<const std::uint8_t> payload) {
   const std::optional<Wire> sample = from_cdr<Wire>(payload);
   if (!sample) {
-    ++unreadable_;
+    note_broken(topic, payload);
   } else {
     add_typed(*sample);
   }
+}
+
+/// Their heads may be whole.
+void RecordedRun::note_broken(TopicId topic, std::span<const std::uint8_t> payload) {
+  ++unreadable_;
+  const auto head = head_of(topic, payload);
+  if (!head || is_other(head->run)) return;
+  const SampleName name{head->round, topic, head->agent, topic == TopicId::Tick ? 0 : head->incarnation};
+  broken_.try_emplace(topic == TopicId::Mission ? SampleName() : name, payload.begin(), payload.end());
 }
 
 bool RecordedRun::is_other(std::uint64_t run) {

@@ -44,7 +44,9 @@ class RecordedRun {
   [[nodiscard]] std::uint32_t last_round() const { return ticks_.empty() ? 0 : ticks_.rbegin()->first; }
   /// What the run came to, if its last tick is there.
   [[nodiscard]] std::optional<Outcome> outcome() const;
-  /// Samples that are none of their type.
+  /// Bytes that are no sample of their type, by the sample that they say they are.
+  [[nodiscard]] const std::map<SampleName, Bytes>& broken() const { return broken_; }
+  /// How many there were.
   [[nodiscard]] std::uint64_t unreadable() const { return unreadable_; }
 
  private:
@@ -55,13 +57,15 @@ class RecordedRun {
   void add_typed(const wire::Representative& sample);
   void add_typed(const wire::ObstacleMap& sample);
   template <typename Wire>
-  void take(std::span<const std::uint8_t> payload);
+  void take(bus::TopicId topic, std::span<const std::uint8_t> payload);
+  void note_broken(bus::TopicId topic, std::span<const std::uint8_t> payload);
   template <typename Wire>
   void keep(const SampleName& name, Wire sample);
   [[nodiscard]] bool is_other(std::uint64_t run);
 
   std::optional<std::uint64_t> run_;
   std::map<SampleName, Bytes> samples_;
+  std::map<SampleName, Bytes> broken_;
   std::map<std::uint32_t, wire::Tick> ticks_;  ///< by round, without what is not compared
   std::uint64_t unreadable_ = 0;
 };

@@ -4,56 +4,18 @@
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "idl/bus/bytes_type.hpp"
 #include "idl/bus/dds_participant.hpp"
 
 namespace skein::bus {
 namespace {
 
 namespace rtps = eprosima::fastrtps::rtps;
-using Payload = std::vector<std::uint8_t>;
-
-constexpr std::uint32_t kLargest = 1U << 18;  ///< bytes of any sample; more than the bounds of idl/msg allow
-constexpr std::size_t kKeyAt = 4 + 24;        ///< `agent` of a keyed sample: after encapsulation and header
-constexpr std::size_t kKeySize = 4;
-
-/// Any type of the table, as bytes; the key is read where all keyed types have it.
-class BytesType final : public fdds::TopicDataType {
- public:
-  explicit BytesType(const TopicSpec& spec) {
-    setName(std::string(spec.type).c_str());
-    m_typeSize = kLargest;
-    m_isGetKeyDefined = spec.keyed;
-  }
-
-  bool serialize(void*, rtps::SerializedPayload_t*) override { return false; }  // it only reads
-  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    static_cast<Payload*>(data)->assign(payload->data, payload->data + payload->length);
-    return true;
-  }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void*) override {
-    return [] { return 0U; };
-  }
-  void* createData() override { return new Payload(); }
-  void deleteData(void* data) override { delete static_cast<Payload*>(data); }
-
-  bool getKey(void* data, rtps::InstanceHandle_t* handle, bool) override {
-    const Payload& payload = *static_cast<Payload*>(data);
-    if (payload.size() < kKeyAt + kKeySize) return false;
-    const bool little = payload[1] == 1;
-    for (unsigned i = 0; i < 16; ++i) {
-      const std::size_t byte = little ? kKeySize - 1 - i : i;
-      handle->value[i] = i < kKeySize ? payload[kKeyAt + byte] : std::uint8_t{0};
-    }
-    return true;
-  }
-};
-
 WriterKey key_of(const rtps::GUID_t& guid) {
   WriterKey key;
   const auto end = std::copy_n(guid.guidPrefix.value, rtps::GuidPrefix_t::size, key.begin());

@@ -58,6 +58,26 @@ TEST(Schema, RefusesWhatIsNoSampleOfTheType) {
   EXPECT_EQ(decode(type_of(TopicId::Beacon), Bytes(200, 0xFF)), std::nullopt);
 }
 
+TEST(Schema, SaysAtWhichFieldBytesStopBeingASample) {
+  const Struct type =
+      parse_idl("struct B { boolean d; }; struct A { octet a; sequence<B, 2> b; unsigned long c; string<4> e; };", "A");
+  const Bytes good{0, 1, 0, 0, 7, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 0, 3, 0, 0, 0, 'h', 'i', 0};
+  const auto fault = [&](std::size_t at, std::uint8_t octet, std::size_t size) {
+    Bytes bad(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size));
+    if (at < size) bad[at] = octet;
+    EXPECT_EQ(decode(type, bad), std::nullopt);
+    return first_null(decode(type, good).value(), decode_partly(type, bad)).value();
+  };
+  EXPECT_EQ(fault(13, 2, good.size()).field, "b[1].d");
+  EXPECT_EQ(fault(13, 2, good.size()).a, false);
+  EXPECT_EQ(fault(8, 3, good.size()).field, "b");
+  EXPECT_EQ(fault(0, 0, 18).field, "c");
+  EXPECT_EQ(fault(0, 0, 18).a, 9);
+  EXPECT_EQ(fault(26, 1, good.size()).field, "e");
+  EXPECT_EQ(first_null(decode(type, good).value(), decode_partly(type, good)), std::nullopt);
+  EXPECT_TRUE(decode_partly(type, Bytes{9, 9}).is_null());
+}
+
 TEST(Schema, ReadsBigEndianBytes) {
   const Struct type = parse_idl("struct A { octet a; unsigned long b; string<4> c; short d[2]; };", "A");
   const Bytes big{0, 0, 0, 0, 7, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0, 3, 'h', 'i', 0, 0, 0xFF, 0xFE, 0, 5};
