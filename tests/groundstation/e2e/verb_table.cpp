@@ -2,6 +2,117 @@
 
 namespace skein::e2e {
 
+namespace {
+
+/// Of the verbs that run, check and examine something here.
+std::vector<FailureRow> job_rows() {
+  return {
+      {{}, 2, ""},
+      {{"fly"}, 2, "fly"},
+
+      {{"chaos"}, 2, "SCENARIO"},
+      {{"chaos", "$NONE"}, 2, "$NONE"},
+      {{"chaos", "$BROKEN"}, 2, "$BROKEN:"},
+      {{"chaos", "$GOOD", "--runs", "0"}, 2, "--runs"},
+      {{"chaos", "$GOOD", "--faults", "$NONE"}, 2, "$NONE"},
+      {{"chaos", "$GOOD", "--faults", "$TEXT"}, 2, "$TEXT"},
+      {{"chaos", "$GOOD", "--runs", "1", "--junit", "$NONE/file"}, 2, "--junit: cannot write $NONE/file"},
+      {{"chaos", "$GOOD", "--runs", "1", "--out", "/proc/nowhere", "--domain", "$DOMAIN"}, 2, "/proc/nowhere"},
+
+      {{"doctor", "--agents", "0"}, 2, "--agents"},
+      {{"doctor", "--domain", "233"}, 2, "--domain"},
+
+      {{"profile"}, 2, "DEPLOYMENT"},
+      {{"profile", "moon"}, 2, "moon"},
+      {{"profile", "discovery-server", "--server", "a b"}, 2, "--server"},
+      {{"profile", "host", "-o", "$NONE/file"}, 2, "cannot write $NONE/file"},
+
+      {{"run"}, 2, "SCENARIO"},
+      {{"run", "$NONE"}, 2, "$NONE"},
+      {{"run", "$BROKEN"}, 2, "$BROKEN:"},
+      {{"run", "$GOOD", "--set", "planner.particles=1"}, 2, "planner.particles"},
+      {{"run", "$GOOD", "--fault", "melt:2@plan:3"}, 2, "melt"},
+      {{"run", "$GOOD", "--roster", "$NONE"}, 2, "--in-process"},
+      {{"run", "$GOOD", "--in-process", "--roster", "$NONE", "--out", "$OUT/run"}, 2, "$NONE"},
+      {{"run", "$GOOD", "--out", "/proc/nowhere"}, 2, "/proc/nowhere"},
+      {{"run", "$GOOD", "--record", "/dev/full", "--out", "$OUT/run"}, 2, "/dev/full"},
+      {{"run", "--attach", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
+      {{"run", "$GOOD", "--in-process", "--out", "$OUT/run", "--set", "world.max_steps=3"}, 1, "", Says::More},
+      {{"run", "$GOOD", "--domain", "$DOMAIN", "--out", "$OUT/run", "--fault", "kill:1@plan:3"}, 4, "", Says::More},
+
+      {{"sweep"}, 2, "SCENARIO"},
+      {{"sweep", "$NONE"}, 2, "$NONE"},
+      {{"sweep", "$BROKEN"}, 2, "$BROKEN:"},
+      {{"sweep", "$GOOD", "--runs", "0"}, 2, "--runs"},
+      {{"sweep", "$GOOD", "--seed", "18446744073709551615", "--runs", "3"}, 2, "--seed"},
+      {{"sweep", "$GOOD", "--runs", "1", "--junit", "$NONE/file"}, 2, "--junit: cannot write $NONE/file"},
+      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$NONE/file"}, 2, "--resume: $NONE/file: it cannot be written"},
+      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$TEXT"}, 2, "--resume: $TEXT: it is no journal of a sweep"},
+      {{"sweep", "$GOOD", "--runs", "1", "--curves", "/dev/null/curves"}, 2, "--curves"},
+      {{"sweep", "$GOOD", "--runs", "1", "--set", "world.max_steps=3", "--require-success", "1"}, 1, "success rate"},
+
+      {{"validate"}, 2, "SCENARIO"},
+      {{"validate", "$NONE"}, 2, "$NONE"},
+      {{"validate", "$BROKEN"}, 2, "$BROKEN:"},
+      {{"validate", "$GOOD", "--set", "planner.particles"}, 2, "--set"},
+
+      {{"version", "now"}, 2, "now"},
+  };
+}
+
+/// Of those that observe a swarm.
+std::vector<FailureRow> observer_rows() {
+  return {
+      {{"monitor", "--domain", "$DOMAIN"}, 2, "terminal"},
+
+      {{"record", "--domain", "$DOMAIN"}, 2, "--output"},
+      {{"record", "-o", "$OUT/none.mcap", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
+      {{"record", "-o", "$OUT/none.mcap", "--swarm", "nobody", "--domain", "$DOMAIN", "--startup-timeout", "0.3"},
+       3,
+       "no world of swarm nobody"},
+      {{"record", "-o", "$NONE/file", "--swarm", "nobody", "--domain", "$DOMAIN"}, 2, "$NONE/file"},
+      {{"record", "$BROKEN", "-o", "$OUT/none.mcap", "--swarm", "nobody"}, 2, "$BROKEN:"},
+
+      {{"status", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
+      {{"status", "--swarm", "nobody", "--domain", "$DOMAIN", "--startup-timeout", "0.3"},
+       3,
+       "no world of swarm nobody"},
+      {{"status", "--interval", "1"}, 2, "--watch"},
+
+      {{"topics", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
+      {{"topics", "--swarm", "nobody", "--domain", "$DOMAIN", "--startup-timeout", "0.3"},
+       3,
+       "no world of swarm nobody"},
+  };
+}
+
+/// Of those that read recordings.
+std::vector<FailureRow> file_rows() {
+  return {
+      {{"dump"}, 2, "FILE"},
+      {{"dump", "$NONE"}, 2, "$NONE"},
+      {{"dump", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
+      {{"dump", "$DAMAGED"}, 2, "a chunk"},
+
+      {{"replay"}, 2, "FILE"},
+      {{"replay", "$NONE"}, 2, "$NONE"},
+      {{"replay", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
+      {{"replay", "$DAMAGED"}, 2, "a chunk"},
+      {{"replay", "$FILE", "--rate", "-1"}, 2, "--rate"},
+      {{"replay", "$FILE", "--from", "1e6"}, 2, "it ends at"},
+      {{"replay", "$FILE", "--wait", "1", "--startup-timeout", "0.3", "--domain", "$DOMAIN"}, 3, "0 of 1 observers"},
+
+      {{"verify"}, 2, "A"},
+      {{"verify", "$FILE"}, 2, "--rerun"},
+      {{"verify", "$FILE", "$NONE"}, 2, "$NONE"},
+      {{"verify", "$FILE", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
+      {{"verify", "$DAMAGED", "$FILE"}, 2, "$DAMAGED: byte"},
+      {{"verify", "$FILE", "$FILE", "--rerun"}, 2, "--rerun"},
+  };
+}
+
+}  // namespace
+
 const std::vector<VerbRow>& verb_rows() {
   static const std::vector<VerbRow> kRows{
       {"chaos", Prints::Document, {"$GOOD", "--runs", "1", "--out", "$OUT/chaos", "--domain", "$DOMAIN"}},
@@ -23,98 +134,11 @@ const std::vector<VerbRow>& verb_rows() {
 }
 
 const std::vector<FailureRow>& failure_rows() {
-  static const std::vector<FailureRow> kRows{
-      {{}, 2, ""},
-      {{"fly"}, 2, "fly"},
-
-      {{"chaos"}, 2, "SCENARIO"},
-      {{"chaos", "$NONE"}, 2, "$NONE"},
-      {{"chaos", "$BROKEN"}, 2, "$BROKEN:"},
-      {{"chaos", "$GOOD", "--runs", "0"}, 2, "--runs"},
-      {{"chaos", "$GOOD", "--faults", "$NONE"}, 2, "$NONE"},
-      {{"chaos", "$GOOD", "--faults", "$TEXT"}, 2, "$TEXT"},
-      {{"chaos", "$GOOD", "--runs", "1", "--out", "/proc/nowhere", "--domain", "$DOMAIN"}, 2, "/proc/nowhere"},
-
-      {{"doctor", "--agents", "0"}, 2, "--agents"},
-      {{"doctor", "--domain", "233"}, 2, "--domain"},
-
-      {{"dump"}, 2, "FILE"},
-      {{"dump", "$NONE"}, 2, "$NONE"},
-      {{"dump", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
-      {{"dump", "$DAMAGED"}, 2, "a chunk"},
-
-      {{"monitor", "--domain", "$DOMAIN"}, 2, "terminal"},
-
-      {{"profile"}, 2, "DEPLOYMENT"},
-      {{"profile", "moon"}, 2, "moon"},
-      {{"profile", "discovery-server", "--server", "a b"}, 2, "--server"},
-      {{"profile", "host", "-o", "$NONE/file"}, 2, "cannot write $NONE/file"},
-
-      {{"record", "--domain", "$DOMAIN"}, 2, "--output"},
-      {{"record", "-o", "$OUT/none.mcap", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
-      {{"record", "-o", "$OUT/none.mcap", "--swarm", "nobody", "--domain", "$DOMAIN", "--startup-timeout", "0.3"},
-       3,
-       "no world of swarm nobody"},
-      {{"record", "-o", "$NONE/file", "--swarm", "nobody", "--domain", "$DOMAIN"}, 2, "$NONE/file"},
-      {{"record", "$BROKEN", "-o", "$OUT/none.mcap", "--swarm", "nobody"}, 2, "$BROKEN:"},
-
-      {{"replay"}, 2, "FILE"},
-      {{"replay", "$NONE"}, 2, "$NONE"},
-      {{"replay", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
-      {{"replay", "$DAMAGED"}, 2, "a chunk"},
-      {{"replay", "$FILE", "--rate", "-1"}, 2, "--rate"},
-      {{"replay", "$FILE", "--from", "1e6"}, 2, "it ends at"},
-      {{"replay", "$FILE", "--wait", "1", "--startup-timeout", "0.3", "--domain", "$DOMAIN"}, 3, "0 of 1 observers"},
-
-      {{"run"}, 2, "SCENARIO"},
-      {{"run", "$NONE"}, 2, "$NONE"},
-      {{"run", "$BROKEN"}, 2, "$BROKEN:"},
-      {{"run", "$GOOD", "--set", "planner.particles=1"}, 2, "planner.particles"},
-      {{"run", "$GOOD", "--fault", "melt:2@plan:3"}, 2, "melt"},
-      {{"run", "$GOOD", "--roster", "$NONE"}, 2, "--in-process"},
-      {{"run", "$GOOD", "--in-process", "--roster", "$NONE", "--out", "$OUT/run"}, 2, "$NONE"},
-      {{"run", "$GOOD", "--out", "/proc/nowhere"}, 2, "/proc/nowhere"},
-      {{"run", "$GOOD", "--record", "/dev/full", "--out", "$OUT/run"}, 2, "/dev/full"},
-      {{"run", "--attach", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
-      {{"run", "$GOOD", "--in-process", "--out", "$OUT/run", "--set", "world.max_steps=3"}, 1, "", Says::More},
-      {{"run", "$GOOD", "--domain", "$DOMAIN", "--out", "$OUT/run", "--fault", "kill:1@plan:3"}, 4, "", Says::More},
-
-      {{"status", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
-      {{"status", "--swarm", "nobody", "--domain", "$DOMAIN", "--startup-timeout", "0.3"},
-       3,
-       "no world of swarm nobody"},
-      {{"status", "--interval", "1"}, 2, "--watch"},
-
-      {{"sweep"}, 2, "SCENARIO"},
-      {{"sweep", "$NONE"}, 2, "$NONE"},
-      {{"sweep", "$BROKEN"}, 2, "$BROKEN:"},
-      {{"sweep", "$GOOD", "--runs", "0"}, 2, "--runs"},
-      {{"sweep", "$GOOD", "--seed", "18446744073709551615", "--runs", "3"}, 2, "--seed"},
-      {{"sweep", "$GOOD", "--runs", "1", "--junit", "$NONE/file"}, 2, "--junit: cannot write $NONE/file"},
-      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$NONE/file"}, 2, "--resume: $NONE/file: it cannot be written"},
-      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$TEXT"}, 2, "--resume: $TEXT: it is no journal of a sweep"},
-      {{"sweep", "$GOOD", "--runs", "1", "--curves", "/dev/null/curves"}, 2, "--curves"},
-      {{"sweep", "$GOOD", "--runs", "1", "--set", "world.max_steps=3", "--require-success", "1"}, 1, "success rate"},
-
-      {{"topics", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
-      {{"topics", "--swarm", "nobody", "--domain", "$DOMAIN", "--startup-timeout", "0.3"},
-       3,
-       "no world of swarm nobody"},
-
-      {{"validate"}, 2, "SCENARIO"},
-      {{"validate", "$NONE"}, 2, "$NONE"},
-      {{"validate", "$BROKEN"}, 2, "$BROKEN:"},
-      {{"validate", "$GOOD", "--set", "planner.particles"}, 2, "--set"},
-
-      {{"verify"}, 2, "A"},
-      {{"verify", "$FILE"}, 2, "--rerun"},
-      {{"verify", "$FILE", "$NONE"}, 2, "$NONE"},
-      {{"verify", "$FILE", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
-      {{"verify", "$DAMAGED", "$FILE"}, 2, "$DAMAGED: byte"},
-      {{"verify", "$FILE", "$FILE", "--rerun"}, 2, "--rerun"},
-
-      {{"version", "now"}, 2, "now"},
-  };
+  static const std::vector<FailureRow> kRows = [] {
+    std::vector<FailureRow> all;
+    for (const auto& rows : {job_rows(), observer_rows(), file_rows()}) all.insert(all.end(), rows.begin(), rows.end());
+    return all;
+  }();
   return kRows;
 }
 
