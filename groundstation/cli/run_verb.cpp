@@ -22,6 +22,7 @@
 #include "simworld/process/progress.hpp"
 #include "simworld/process/world_process.hpp"
 #include "simworld/report/report.hpp"
+#include "simworld/report/steering_report.hpp"
 
 namespace skein {
 namespace {
@@ -185,6 +186,8 @@ int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario&
     const std::string obstacle = replay_obstacle(other, scenario, options.fail_fast);
     if (!obstacle.empty()) throw std::runtime_error(fmt::format("--roster {}: {}", arguments.roster, obstacle));
     options.replay = roster_changes_of(other);
+    options.orders = orders_of(other);
+    options.injections = injections_of(other);
     expected_hash = other.value("state_hash", "");
   }
   const SignalWatch signals({SIGINT, SIGTERM});
@@ -264,7 +267,8 @@ VerbAction add_run_verb(CLI::App& app) {
   add_common_flags(*verb, arguments->world.common);
   add_world_options(*verb, arguments->world);
   verb->add_flag("--in-process", arguments->in_process, "all in this process, over the in-memory bus");
-  verb->add_option("--roster", arguments->roster, "with --in-process: repeat the losses of this report.json");
+  verb->add_option("--roster", arguments->roster,
+                   "with --in-process: repeat the losses and commands of this report.json");
   verb->add_option("--record", arguments->record, "FILE.mcap: keep every sample of the run (docs/recording.md)");
   verb->add_option("--per-process", arguments->per_process, "vehicles that share an agent process, 1 to 256")
       ->check(CLI::Range(std::size_t{1}, std::size_t{kMaxAgents}))

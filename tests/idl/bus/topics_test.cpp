@@ -11,7 +11,7 @@ TEST(Topics, TheTableIsInOrderOfItsIds) {
   for (std::size_t i = 0; i < kTopics.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(kTopics[i].id), i);
     EXPECT_TRUE(kTopics[i].name.starts_with("skein/")) << kTopics[i].name;
-    EXPECT_TRUE(kTopics[i].type.starts_with("skein::v6::")) << kTopics[i].type;
+    EXPECT_TRUE(kTopics[i].type.starts_with("skein::v7::")) << kTopics[i].type;
     EXPECT_NE(kTopics[i].writers, 0);
     EXPECT_NE(kTopics[i].readers, 0);
   }
