@@ -49,6 +49,7 @@ std::vector<std::string> world_arguments(const RunArguments& arguments, const st
   if (arguments.world.seed) flags.insert(flags.end(), {"--seed", std::to_string(*arguments.world.seed)});
   if (arguments.world.fail_fast) flags.emplace_back("--fail-fast");
   if (!arguments.record.empty()) flags.emplace_back("--recorded");
+  if (arguments.world.wait_start) flags.emplace_back("--wait-start");
   if (arguments.world.realtime > 0.0)
     flags.insert(flags.end(), {"--realtime", fmt::format("{}", arguments.world.realtime)});
   if (!arguments.world.checkpoint.empty()) {
@@ -237,6 +238,9 @@ int run(RunArguments& arguments) {
     if (arguments.world.realtime > 0.0 && arguments.in_process) {
       throw std::runtime_error("--realtime paces processes: leave --in-process out");
     }
+    if (arguments.world.wait_start && arguments.in_process) {
+      throw std::runtime_error("--wait-start waits for a command: leave --in-process out");
+    }
     const std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (!scenario) return static_cast<int>(ExitCode::Usage);
     const std::string& checkpoint = arguments.world.checkpoint;
@@ -276,9 +280,9 @@ VerbAction add_run_verb(CLI::App& app) {
   CLI::Option* attach = verb->add_flag("--attach", arguments->attach,
                                        "watch a run that others started, until it ends; its exit code is this one's");
   verb->get_option("SCENARIO")->required(false);
-  for (const char* name :
-       {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out", "--realtime", "--fail-fast",
-        "--fault", "--checkpoint", "--checkpoint-sync", "--in-process", "--roster", "--record", "--per-process"}) {
+  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out",
+                           "--realtime", "--fail-fast", "--fault", "--wait-start", "--checkpoint", "--checkpoint-sync",
+                           "--in-process", "--roster", "--record", "--per-process"}) {
     attach->excludes(verb->get_option(name));
   }
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cyclone/beacon.h>
+#include <cyclone/command.h>
+#include <cyclone/inject.h>
 #include <cyclone/mission.h>
 #include <cyclone/obstacle_map.h>
 #include <cyclone/representative.h>
@@ -54,7 +56,12 @@ SKEIN_FIELDS(skein_v7_Mission, head, name, kind, seed, length_unit_m, step_s, fo
 SKEIN_FIELDS(skein_v7_LiveAgent, agent, incarnation, nonce, counts_representative, gets_sense, counts_obstacle_map)
 SKEIN_FIELDS(skein_v7_TurnedAway, nonce, reason)
 SKEIN_FIELDS(skein_v7_GivenId, nonce, agent)
-SKEIN_FIELDS(skein_v7_Tick, head, step, round, phase, time_s, roster, refused, given, world_hash, exit_code, reason)
+SKEIN_FIELDS(skein_v7_Ordered, id, agent, kind, to_m, speed_mps)
+SKEIN_FIELDS(skein_v7_Answered, id, result, round, acknowledged, text)
+SKEIN_FIELDS(skein_v7_Tick, head, step, round, phase, time_s, roster, refused, given, world_hash, exit_code, reason,
+             commands, answers)
+SKEIN_FIELDS(skein_v7_Command, head, id, agent, kind, to_m, speed_mps, deadline_s)
+SKEIN_FIELDS(skein_v7_Inject, head, id, kind, agent, position_m, velocity_mps, radius_m, column, deadline_s)
 
 SKEIN_FIELDS(skein_v7_HeardPeer, agent, position_m, velocity_mps, landed)
 SKEIN_FIELDS(skein_v7_CellBlock, i, j, k, ni, nj, nk, packed)
@@ -64,7 +71,7 @@ SKEIN_FIELDS(skein_v7_Lack, agent, round, topic)
 SKEIN_FIELDS(skein_v7_Beacon, head, agent, nonce, step, round, closes_round, sent_representative, sent_obstacle_map,
              matched, needs, mode, failing, failing_peer, own, commanded_velocity_mps, planned_length_m, cost,
              generation, map_hash, plan_view, safety_mode, safety_reason, deviation_m, predicted_separation_m,
-             state_hash)
+             state_hash, acknowledged)
 
 SKEIN_FIELDS(skein_v7_Reopening, attempt, switch_step, reason, own, speed_mps, obstacles)
 SKEIN_FIELDS(skein_v7_Representative, head, agent, round, stage, violated, particle, cost, own_length_m, path_length_m,

@@ -44,13 +44,15 @@ Json fields_of(const void* sample) {
   return *static_cast<const Sample*>(sample);
 }
 
-const std::array<Topic, 6> kTopics{{
+const std::array<Topic, 8> kTopics{{
     {"skein/mission", &skein_v7_Mission_desc, true, false, fields_of<skein_v7_Mission>},
     {"skein/tick", &skein_v7_Tick_desc, false, false, fields_of<skein_v7_Tick>},
     {"skein/sense", &skein_v7_Sense_desc, false, true, fields_of<skein_v7_Sense>},
     {"skein/beacon", &skein_v7_Beacon_desc, false, false, fields_of<skein_v7_Beacon>},
     {"skein/representative", &skein_v7_Representative_desc, false, false, fields_of<skein_v7_Representative>},
     {"skein/obstacle_map", &skein_v7_ObstacleMap_desc, false, false, fields_of<skein_v7_ObstacleMap>},
+    {"skein/command", &skein_v7_Command_desc, false, false, fields_of<skein_v7_Command>},
+    {"skein/inject", &skein_v7_Inject_desc, false, false, fields_of<skein_v7_Inject>},
 }};
 
 dds_entity_t make_reader(dds_entity_t participant, const std::string& swarm, const Topic& topic) {

@@ -27,6 +27,16 @@ TEST(Topics, TwoAgentsShareRepresentativeAndObstacleMapBothWays) {
                 endpoint_bit(TopicId::ObstacleMap, true) | endpoint_bit(TopicId::ObstacleMap, false));
 }
 
+TEST(Topics, NobodyWaitsForAnOperator) {
+  for (const Role role : {Role::Agent, Role::World}) {
+    for (const Role peer : {Role::Agent, Role::World}) {
+      const auto bits = expected_matches(role, peer);
+      EXPECT_EQ(bits & endpoint_bit(TopicId::Command, false), 0);
+      EXPECT_EQ(bits & endpoint_bit(TopicId::Inject, false), 0);
+    }
+  }
+}
+
 TEST(Topics, AgentAndWorldShareEightEndpointsSeenFromEitherSide) {
   const auto agent = expected_matches(Role::Agent, Role::World);
   const auto world = expected_matches(Role::World, Role::Agent);
