@@ -22,6 +22,7 @@ struct SteerArguments {
   CommonFlags common;
   SteerRequest request;
   std::string verb;
+  std::string what;  ///< of inject
   std::string shape;
   std::vector<double> point;
   std::vector<double> velocity;
@@ -105,9 +106,8 @@ VerbAction add_goto(CLI::App& app) {
 VerbAction add_inject(CLI::App& app) {
   auto arguments = std::make_shared<SteerArguments>();
   auto obstacle = std::make_shared<Injection>();
-  auto what = std::make_shared<std::string>();
   CLI::App* verb = add_verb(app, "inject", "put an obstacle into the world, which no agent is told of", arguments);
-  verb->add_option("WHAT", *what, "obstacle")->required()->check(CLI::IsMember({"obstacle"}));
+  verb->add_option("WHAT", arguments->what, "obstacle")->required()->check(CLI::IsMember({"obstacle"}));
   verb->add_option("SHAPE", arguments->shape, "sphere, or column: upright, without ends")
       ->required()
       ->check(CLI::IsMember({"sphere", "column"}));

@@ -38,7 +38,7 @@ class Pair {
 
  private:
   std::vector<std::string> words(const std::string& swarm, const std::vector<std::string>& more) const {
-    std::vector<std::string> all{binary("skein"), "run",      kScenario,        "--realtime", "20",
+    std::vector<std::string> all{binary("skein"), "run",      kScenario,        "--realtime", "4",
                                  "--domain",      kDomain,    "--swarm",        swarm,        "--out",
                                  out_.path(),     "--record", file("run.mcap"), "--json"};
     all.insert(all.end(), more.begin(), more.end());

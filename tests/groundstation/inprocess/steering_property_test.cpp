@@ -102,7 +102,9 @@ TEST(Steering, ACrossingThatIsHeldAndResumedStaysClean) {
     const InProcessResult plain = run_in_process(scenario, {});
     const InProcessResult held = run_with(scenario, {at(60, OrderKind::Hold), at(90, OrderKind::Resume),
                                                      at(110, OrderKind::Hold, 2), at(150, OrderKind::Resume, 2)});
-    if (plain.report.at("collisions") == 0) EXPECT_EQ(held.report.at("collisions"), 0) << held.report.dump(2);
+    if (plain.report.at("collisions") == 0) {
+      EXPECT_EQ(held.report.at("collisions"), 0) << held.report.dump(2);
+    }
     EXPECT_GT(held.report.at("steps"), plain.report.at("steps"));
   }
 }

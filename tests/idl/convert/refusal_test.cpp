@@ -46,6 +46,41 @@ void expect_refused(const Wire& valid, const std::vector<Case<Wire>>& cases) {
 
 using enum WireFaultReason;
 
+TEST(Refusal, Orders) {
+  using W = wire::Tick;
+  expect_refused<W>(to_wire(examples::tick(), examples::kStamp),
+                    {{"tick.commands", OutOfRange, [](W& t) { t.commands().resize(17); }},
+                     {"tick.commands", OutOfRange, [](W& t) { t.commands()[0].id(0); }},
+                     {"tick.commands", UnknownAgent, [](W& t) { t.commands()[0].agent(257); }},
+                     {"tick.commands", BadEnum, [](W& t) { t.commands()[0].kind(7); }},
+                     {"tick.commands", NonFinite, [](W& t) { t.commands()[0].to_m().z(kNan); }},
+                     {"tick.commands", OutOfRange, [](W& t) { t.commands()[0].speed_mps(-1.0); }},
+                     {"tick.answers", OutOfRange, [](W& t) { t.answers().resize(17); }},
+                     {"tick.answers.id", OutOfRange, [](W& t) { t.answers()[0].id(0); }},
+                     {"tick.answers.result", BadEnum, [](W& t) { t.answers()[0].result(9); }},
+                     {"tick.answers.text", OutOfRange, [](W& t) { t.answers()[1].text("a\nb"); }},
+                     {"tick.answers.acknowledged", BadOrder, [](W& t) {
+                        t.answers()[0].acknowledged({3, 1});
+                      }}});
+}
+
+TEST(Refusal, CommandAndInject) {
+  using W = wire::Command;
+  expect_refused<W>(to_wire(examples::command(), examples::kStamp),
+                    {{"command.head.run", WrongRun, [](W& c) { c.head().run(78); }},
+                     {"command", OutOfRange, [](W& c) { c.id(0); }},
+                     {"command", BadEnum, [](W& c) { c.kind(0); }},
+                     {"command.deadline_s", NonFinite, [](W& c) { c.deadline_s(kNan); }}});
+  using I = wire::Inject;
+  expect_refused<I>(to_wire(examples::inject(), examples::kStamp),
+                    {{"inject.head.run", WrongRun, [](I& i) { i.head().run(78); }},
+                     {"inject.id", OutOfRange, [](I& i) { i.id(0); }},
+                     {"inject.kind", BadEnum, [](I& i) { i.kind(5); }},
+                     {"inject.agent", UnknownAgent, [](I& i) { i.agent(257); }},
+                     {"inject.position_m", NonFinite, [](I& i) { i.position_m().x(kNan); }},
+                     {"inject.radius_m", OutOfRange, [](I& i) { i.radius_m(-1.0); }}});
+}
+
 TEST(Refusal, Mission) {
   using W = wire::Mission;
   expect_refused<W>(
@@ -257,13 +292,14 @@ TEST(Refusal, Beacon) {
                      {"beacon.matched", BadOrder, [](W& b) { b.matched()[1] = b.matched()[0]; }},
                      {"beacon.needs.agent", UnknownAgent, [](W& b) { b.needs()[0].agent(0); }},
                      {"beacon.needs.topic", BadEnum, [](W& b) { b.needs()[1].topic(2); }},
-                     {"beacon.mode", BadEnum, [](W& b) { b.mode(11); }},
+                     {"beacon.mode", BadEnum, [](W& b) { b.mode(15); }},
                      {"beacon.failing", BadEnum, [](W& b) { b.failing(255); }},
                      {"beacon.failing_peer", UnknownAgent, [](W& b) { b.failing_peer(2); }},
                      {"beacon.own", NonFinite, [](W& b) { b.own().position_m().z(kNan); }},
                      {"beacon.commanded_velocity_mps", OutOfRange, [](W& b) { b.commanded_velocity_mps().z(-2e4); }},
                      {"beacon.planned_length_m", OutOfRange, [](W& b) { b.planned_length_m(-1.0); }},
                      {"beacon.cost", NonFinite, [](W& b) { b.cost(kNan); }},
+                     {"beacon.acknowledged", OutOfRange, [](W& b) { b.acknowledged().resize(17, 1); }},
                      {"beacon.safety_mode", BadEnum, [](W& b) { b.safety_mode(3); }},
                      {"beacon.safety_reason", BadEnum, [](W& b) { b.safety_reason(9); }},
                      {"beacon.deviation_m", OutOfRange, [](W& b) { b.deviation_m(-1.0); }},

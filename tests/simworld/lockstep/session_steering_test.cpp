@@ -110,6 +110,7 @@ TEST(SessionSteering, WhatWaitsPastItsDeadlineExpires) {
   Stage stage(2);
   const Tick tick = take_off(stage);
   stage.say(command(1, OrderKind::Hold, kAllAgents, 0.5));
+  stage.at(stage.now_s);
   stage.at(stage.now_s + 1.0);
   const Tick next = stage.round(tick, AgentMode::Flying);
   EXPECT_TRUE(next.orders.empty());
