@@ -100,6 +100,7 @@ void CommandedBehaviour::begin(const Order& order, const Sense& sense) {
     case OrderKind::Resume:
       doing_ = Doing::Return;
       speed_mps_ = spec_.speed_mps;
+      if (!hovers()) way_back_ = WayBack(spec_, mission_.step_s, circle_.radius_m(), sense.pose, left_);
       return;
     case OrderKind::Goto:
       doing_ = Doing::Goto;
@@ -156,7 +157,7 @@ bool CommandedBehaviour::is_back(const Sense& sense) const {
     const double near_m = std::max(kNear_m, kNearSpeed_s * spec_.speed_mps);
     return (sense.pose.position_m - left_rest_m_).norm() <= near_m;
   }
-  return on_left_circle_ && circle_.closed();
+  return on_left_circle_ ? circle_.closed() : way_back_.flown();
 }
 
 void CommandedBehaviour::fly(const Tick& tick, const Sense& sense) {
@@ -220,6 +221,8 @@ Vec3 CommandedBehaviour::circling_wish(const Sense& sense) {
         circle_ = Circle(spec_, mission_.step_s, sense.pose, side_of_circle(sense.pose));
       }
       return there_ ? circle_.command_mps() : turning_to(sense, to_m_);
+    case Doing::Return:
+      return on_left_circle_ ? circle_.command_mps() : way_back_.command_mps(sense.pose.position_m.z());
     case Doing::Land:
       return circling_down(sense);
     default:
@@ -243,8 +246,9 @@ Vec3 CommandedBehaviour::circling_down(const Sense& sense) const {
 
 bool CommandedBehaviour::is_down(const Sense& sense) const {
   const double above_m = sense.pose.position_m.z() - ground_height_m(sense.pose.position_m);
-  const double step_m = hovers() ? 0.0 : spec_.speed_mps * mission_.step_s * kDescent_rad;
-  return above_m <= spec_.radius_m + kTouchDown_m + step_m;
+  const double slope = mission_.terrain ? slope_bound(*mission_.terrain) : 0.0;
+  const double step_m = hovers() ? 0.0 : spec_.speed_mps * mission_.step_s * (kDescent_rad + slope);
+  return above_m <= (spec_.radius_m + kTouchDown_m) * std::sqrt(1.0 + slope * slope) + step_m;
 }
 
 void CommandedBehaviour::add_to(StateHash& hash) const {
@@ -254,6 +258,7 @@ void CommandedBehaviour::add_to(StateHash& hash) const {
   hash.add(doing_).add(left_).add(left_rest_m_).add(stale_).add(on_left_circle_).add(there_).add(to_m_);
   hash.add(speed_mps_).add(last_.mode).add(last_.commanded_velocity_mps);
   circle_.add_to(hash);
+  way_back_.add_to(hash);
 }
 
 }  // namespace skein

@@ -5,9 +5,9 @@
 //   hold     Holding                 multirotor: brakes with half of what it can, and hovers;     a command
 //                                    constant speed: circles (circle.hpp)
 //   goto     GoingTo, then Holding   straight to the point, and holds there                       a command
-//   return   GoingTo, or Holding     back to where it left the mission, on its circle if it       it is there: the
-//                                    only held; where the mission can go on from anywhere: at     mission goes on
-//                                    once
+//   return   GoingTo, or Holding     back to where it left the mission: multirotor straight;      it is there: the
+//                                    constant speed on its circle if it only held, else by        mission goes on
+//                                    way_back.hpp; where the mission goes on anywhere, at once
 //   land     Landing                 down: multirotor straight, constant speed in circles         it is down
 //   landed   Landed                  nothing: its mission is over                                 -
 // While it obeys, the mission's behaviour stands still: no round, no samples; it goes on as it was left. So a swarm
@@ -22,6 +22,7 @@
 #include "agent/behaviours/behaviour.hpp"
 #include "agent/behaviours/circle.hpp"
 #include "agent/behaviours/surroundings.hpp"
+#include "agent/behaviours/way_back.hpp"
 #include "agent/controller/moving_reference.hpp"
 #include "agent/controller/velocity_controller.hpp"
 
@@ -75,6 +76,7 @@ class CommandedBehaviour final : public Behaviour {
   Vec3 to_m_ = Vec3::Zero();
   double speed_mps_ = 0.0;
   Circle circle_;
+  WayBack way_back_;  ///< of a constant-speed vehicle that was sent away
   RoundOutput last_;
 };
 

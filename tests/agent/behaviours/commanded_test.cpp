@@ -171,6 +171,27 @@ TEST(Commanded, AMultirotorFliesToThePointHoldsThereAndComesBack) {
   EXPECT_EQ(flight.out.mode, AgentMode::Flying);
 }
 
+TEST(Commanded, AConstantSpeedVehicleComesBackToWhereItLeft) {
+  for (const Vec3& to_m : {Vec3(3000.0, -500.0, 0.0), Vec3(-900.0, 20.0, 0.0), Vec3(10.0, 300.0, 0.0)}) {
+    Flight flight(VehicleType::ConstantSpeed);
+    flight.step();
+    const VehicleState left = flight.state;
+    flight.order(OrderKind::Goto, to_m);
+    for (int i = 0; i < 250; ++i) flight.step();
+    EXPECT_EQ(flight.out.mode, AgentMode::Holding);
+    EXPECT_LT((flight.state.position_m - to_m).head<2>().norm(), 500.0);
+    flight.order(OrderKind::Resume);
+    VehicleState before = flight.state;
+    for (int i = 0; i < 400 && flight.rounds == 1; ++i) {
+      before = flight.state;
+      flight.step();
+    }
+    EXPECT_EQ(flight.out.mode, AgentMode::Flying);
+    EXPECT_LT((before.position_m - left.position_m).norm(), 15.0);
+    EXPECT_LT((before.velocity_mps - left.velocity_mps).norm(), 0.15 * 50.0);
+  }
+}
+
 TEST(Commanded, LandsAndStaysDown) {
   for (const VehicleType type : {VehicleType::Multirotor, VehicleType::ConstantSpeed}) {
     Flight flight(type);
