@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   CLI::App app("Skein: distributed UAV swarms over DDS", "skein");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(skein::version()));
-  const std::map<std::string, skein::VerbAction> verbs{
+  std::map<std::string, skein::VerbAction> verbs{
       {"chaos", skein::add_chaos_verb(app)},       {"doctor", skein::add_doctor_verb(app)},
       {"dump", skein::add_dump_verb(app)},         {"monitor", skein::add_monitor_verb(app)},
       {"plot", skein::add_plot_verb(app)},         {"profile", skein::add_profile_verb(app)},
@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
       {"validate", skein::add_validate_verb(app)}, {"verify", skein::add_verify_verb(app)},
       {"version", skein::add_version_verb(app)},
   };
+  verbs.merge(skein::add_steer_verbs(app));
   if (const auto code = skein::parse_or_exit_code(app, argc, argv)) return *code;
   return verbs.at(app.get_subcommands().front()->get_name())();
 }

@@ -22,6 +22,7 @@
 #include "simworld/process/progress.hpp"
 #include "simworld/process/world_process.hpp"
 #include "simworld/report/report.hpp"
+#include "simworld/report/steering_report.hpp"
 
 namespace skein {
 namespace {
@@ -48,6 +49,7 @@ std::vector<std::string> world_arguments(const RunArguments& arguments, const st
   if (arguments.world.seed) flags.insert(flags.end(), {"--seed", std::to_string(*arguments.world.seed)});
   if (arguments.world.fail_fast) flags.emplace_back("--fail-fast");
   if (!arguments.record.empty()) flags.emplace_back("--recorded");
+  if (arguments.world.wait_start) flags.emplace_back("--wait-start");
   if (arguments.world.realtime > 0.0)
     flags.insert(flags.end(), {"--realtime", fmt::format("{}", arguments.world.realtime)});
   if (!arguments.world.checkpoint.empty()) {
@@ -185,6 +187,8 @@ int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario&
     const std::string obstacle = replay_obstacle(other, scenario, options.fail_fast);
     if (!obstacle.empty()) throw std::runtime_error(fmt::format("--roster {}: {}", arguments.roster, obstacle));
     options.replay = roster_changes_of(other);
+    options.orders = orders_of(other);
+    options.injections = injections_of(other);
     expected_hash = other.value("state_hash", "");
   }
   const SignalWatch signals({SIGINT, SIGTERM});
@@ -234,6 +238,9 @@ int run(RunArguments& arguments) {
     if (arguments.world.realtime > 0.0 && arguments.in_process) {
       throw std::runtime_error("--realtime paces processes: leave --in-process out");
     }
+    if (arguments.world.wait_start && arguments.in_process) {
+      throw std::runtime_error("--wait-start waits for a command: leave --in-process out");
+    }
     const std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (!scenario) return static_cast<int>(ExitCode::Usage);
     const std::string& checkpoint = arguments.world.checkpoint;
@@ -264,7 +271,8 @@ VerbAction add_run_verb(CLI::App& app) {
   add_common_flags(*verb, arguments->world.common);
   add_world_options(*verb, arguments->world);
   verb->add_flag("--in-process", arguments->in_process, "all in this process, over the in-memory bus");
-  verb->add_option("--roster", arguments->roster, "with --in-process: repeat the losses of this report.json");
+  verb->add_option("--roster", arguments->roster,
+                   "with --in-process: repeat the losses and commands of this report.json");
   verb->add_option("--record", arguments->record, "FILE.mcap: keep every sample of the run (docs/recording.md)");
   verb->add_option("--per-process", arguments->per_process, "vehicles that share an agent process, 1 to 256")
       ->check(CLI::Range(std::size_t{1}, std::size_t{kMaxAgents}))
@@ -272,9 +280,9 @@ VerbAction add_run_verb(CLI::App& app) {
   CLI::Option* attach = verb->add_flag("--attach", arguments->attach,
                                        "watch a run that others started, until it ends; its exit code is this one's");
   verb->get_option("SCENARIO")->required(false);
-  for (const char* name :
-       {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out", "--realtime", "--fail-fast",
-        "--fault", "--checkpoint", "--checkpoint-sync", "--in-process", "--roster", "--record", "--per-process"}) {
+  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out",
+                           "--realtime", "--fail-fast", "--fault", "--wait-start", "--checkpoint", "--checkpoint-sync",
+                           "--in-process", "--roster", "--record", "--per-process"}) {
     attach->excludes(verb->get_option(name));
   }
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
+#include <string>
 
 namespace skein {
 
@@ -21,6 +23,8 @@ using VerbAction = std::function<int()>;
 [[nodiscard]] VerbAction add_reproduce_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_run_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_status_verb(CLI::App& app);
+/// start, hold, resume, abort, land, goto, inject, pause, kill, restart: by name.
+[[nodiscard]] std::map<std::string, VerbAction> add_steer_verbs(CLI::App& app);
 [[nodiscard]] VerbAction add_sweep_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_topics_verb(CLI::App& app);
 [[nodiscard]] VerbAction add_validate_verb(CLI::App& app);

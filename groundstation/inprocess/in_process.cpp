@@ -83,6 +83,8 @@ class Harness final : public ProcessControl {
     session.fail_fast = options_.fail_fast;
     session.faults = options_.faults;
     session.replay = options_.replay;
+    session.orders = options_.orders;
+    session.injections = options_.injections;
     if (options_.checkpoint.empty()) {
       const auto on_world = [](const Fault& fault) { return fault.agent == kWorldId; };
       if (std::ranges::any_of(options_.faults, on_world)) {

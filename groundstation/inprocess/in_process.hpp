@@ -16,6 +16,8 @@ namespace skein {
 struct InProcessOptions {
   std::vector<Fault> faults;
   std::vector<RosterChange> replay;
+  std::vector<OrderedAt> orders;       ///< what the swarm is told, by round
+  std::vector<InjectedAt> injections;  ///< obstacles, by round
   bool fail_fast = false;
   std::string checkpoint;                             ///< folder; without one the world cannot be killed
   bus::Tamper tamper;                                 ///< sees every sample in transit; empty for none

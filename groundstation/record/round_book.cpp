@@ -14,7 +14,7 @@ constexpr std::uint32_t kRounds = 3;  ///< kept, the newest included
 }  // namespace
 
 void RoundBook::note(TopicId topic, std::span<const std::uint8_t> payload) {
-  if (topic == TopicId::Mission) return;
+  if (topic == TopicId::Mission || topic == TopicId::Command || topic == TopicId::Inject) return;
   if (topic == TopicId::Tick) return note_tick(payload);
   const auto head = head_of(topic, payload);
   if (!head || head->incarnation == 0 || head->round + kRounds <= round_) return;

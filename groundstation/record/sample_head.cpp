@@ -30,7 +30,8 @@ Number number_at(std::span<const std::uint8_t> payload, std::size_t at) {
 }  // namespace
 
 std::optional<SampleHead> head_of(bus::TopicId topic, std::span<const std::uint8_t> payload) {
-  const bool is_mission = topic == bus::TopicId::Mission;
+  const bool is_mission =  // or of no round either
+      topic == bus::TopicId::Mission || topic == bus::TopicId::Command || topic == bus::TopicId::Inject;
   const std::size_t end = is_mission ? kAgent : round_at(topic) + sizeof(std::uint32_t);
   if (payload.size() < kEncapsulation + end) return std::nullopt;
   SampleHead head;

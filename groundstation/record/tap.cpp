@@ -26,6 +26,13 @@ TopicId topic_of_typed(const wire::ObstacleMap&) {
   return TopicId::ObstacleMap;
 }
 
+TopicId topic_of_typed(const wire::Command&) {
+  return TopicId::Command;
+}
+TopicId topic_of_typed(const wire::Inject&) {
+  return TopicId::Inject;
+}
+
 }  // namespace
 
 bus::TopicId topic_of(const wire::Sample& sample) {

@@ -4,6 +4,7 @@
 
 #include "groundstation/record/sample_head.hpp"
 #include "groundstation/schema/topics.hpp"
+#include "idl/convert/convert.hpp"
 
 namespace skein {
 namespace {
@@ -38,6 +39,9 @@ void RecordedRun::add(TopicId topic, std::span<const std::uint8_t> payload) {
       return take<wire::Representative>(topic, payload);
     case TopicId::ObstacleMap:
       return take<wire::ObstacleMap>(topic, payload);
+    case TopicId::Command:
+    case TopicId::Inject:
+      return;  // what came of them the ticks say
   }
 }
 
@@ -82,11 +86,19 @@ void RecordedRun::add_typed(const wire::Tick& sample) {
   wire::Tick tick = sample;
   tick.refused().clear();
   tick.given().clear();
+  tick.answers().clear();
+  for (wire::Ordered& order : tick.commands()) order.id(0);
   for (wire::LiveAgent& entry : tick.roster()) entry.nonce(0);
-  ticks_.try_emplace(tick.round(), tick);
+  if (ticks_.try_emplace(tick.round(), tick).second) add_orders(sample);
   tick.exit_code(0);
   tick.reason("");
   keep({tick.round(), TopicId::Tick, kWorldId, 0}, tick);
+}
+
+void RecordedRun::add_orders(const wire::Tick& sample) {
+  const Checked<Tick> checked = from_wire(sample, {});
+  if (!checked.ok()) return;
+  for (const Order& order : checked.value().orders) orders_.push_back({sample.round(), order});
 }
 
 void RecordedRun::add_typed(const wire::Beacon& sample) {
@@ -95,6 +107,7 @@ void RecordedRun::add_typed(const wire::Beacon& sample) {
   beacon.nonce(0);
   beacon.matched().clear();
   beacon.needs().clear();
+  for (std::uint64_t& id : beacon.acknowledged()) id = 0;
   keep(name_of(TopicId::Beacon, beacon), beacon);
 }
 

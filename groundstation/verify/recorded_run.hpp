@@ -2,10 +2,11 @@
 //
 // A sample is named by (round, topic, agent, incarnation); repeats of it are the same sample. Left out of what it says,
 // since it differs between runs of one seed: head.run and head.stamp_ns, nonces (of beacons, rosters), matched, needs,
-// refused and given; and the last tick's exit code and reason, which tell of signals and of faults on purpose that
-// never took place as well. Left out whole: waiting ticks, introductions, open beacons, and samples of another run.
-// Which samples of round k count, its next tick says (docs/architecture.md): what an agent sent and then was lost is no
-// part of the run. Source: docs/wire.md. Departs from source: none. Complexity: O(samples log samples).
+// refused and given, the ids of commands, and the answers to them; and the last tick's exit code and reason, which tell
+// of signals and of faults on purpose that never took place as well. Left out whole: waiting ticks, introductions, open
+// beacons, and samples of another run. Which samples of round k count, its next tick says (docs/architecture.md): what
+// an agent sent and then was lost is no part of the run. Source: docs/wire.md. Departs from source: none. Complexity:
+// O(samples log samples).
 #pragma once
 
 #include <compare>
@@ -41,6 +42,8 @@ class RecordedRun {
   [[nodiscard]] bool counts(const SampleName& name) const;
   /// Losses and returns, as the rosters say; the reason of a loss is not told: the end of a process.
   [[nodiscard]] std::vector<RosterChange> roster_changes() const;
+  /// Commands, by the ticks that say them.
+  [[nodiscard]] const std::vector<OrderedAt>& orders() const { return orders_; }
   [[nodiscard]] std::uint32_t last_round() const { return ticks_.empty() ? 0 : ticks_.rbegin()->first; }
   /// What the run came to, if its last tick is there.
   [[nodiscard]] std::optional<Outcome> outcome() const;
@@ -56,6 +59,7 @@ class RecordedRun {
   void add_typed(const wire::Sense& sample);
   void add_typed(const wire::Representative& sample);
   void add_typed(const wire::ObstacleMap& sample);
+  void add_orders(const wire::Tick& sample);
   template <typename Wire>
   void take(bus::TopicId topic, std::span<const std::uint8_t> payload);
   void note_broken(bus::TopicId topic, std::span<const std::uint8_t> payload);
@@ -67,6 +71,7 @@ class RecordedRun {
   std::map<SampleName, Bytes> samples_;
   std::map<SampleName, Bytes> broken_;
   std::map<std::uint32_t, wire::Tick> ticks_;  ///< by round, without what is not compared
+  std::vector<OrderedAt> orders_;
   std::uint64_t unreadable_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "groundstation/record/recording.hpp"
 #include "groundstation/record/tap.hpp"
 #include "simworld/report/report.hpp"
+#include "simworld/report/steering_report.hpp"
 
 namespace skein {
 namespace {
@@ -36,13 +37,17 @@ std::uint64_t seed_of(const mcap::Metadata& metadata) {
   return seed;
 }
 
-/// With the reasons that the report tells, if it is there.
-std::vector<RosterChange> changes_of(const mcap::Reader& file, const RecordedRun& recorded) {
+/// What happened to the run: of losses with the reasons that the report tells, if it is there; obstacles that were put
+/// in its way stand there alone.
+void add_events(const mcap::Reader& file, const RecordedRun& recorded, InProcessOptions& options) {
+  options.replay = recorded.roster_changes();
+  options.orders = recorded.orders();
   const auto report = file.attachment(kReportName);
-  if (!report) return recorded.roster_changes();
+  if (!report) return;
   const auto json = nlohmann::json::parse(report->data, nullptr, false);
   if (json.is_discarded()) throw std::runtime_error("its report is no JSON");
-  return roster_changes_of(json);
+  options.replay = roster_changes_of(json);
+  options.injections = injections_of(json);
 }
 
 }  // namespace
@@ -66,7 +71,7 @@ RecordedRun rerun(const mcap::Reader& file, const RecordedRun& recorded,
   const Scenario scenario = scenario_of(file);
   InProcessOptions options;
   options.fail_fast = fact(facts_of(file), "fail_fast") == "true";
-  options.replay = changes_of(file, recorded);
+  add_events(file, recorded, options);
   options.signal = interrupted;
   RecordedRun again;
   options.tap = [&](AgentId, const wire::Sample& sample) { again.add(topic_of(sample), payload_of(sample)); };

@@ -10,8 +10,8 @@
 namespace skein::watch {
 namespace {
 
-constexpr std::array<std::string_view, 8> kNames{"phase",   "mode",      "safety",    "roster",
-                                                 "refused", "near_miss", "collision", "outcome"};
+constexpr std::array<std::string_view, 9> kNames{"phase",     "mode",      "safety",  "roster", "refused",
+                                                 "near_miss", "collision", "outcome", "command"};
 
 Event event_at(const Tick& tick, AgentId agent, EventKind kind, std::string_view what, std::string_view reason) {
   return {tick.time_s, tick.step, tick.round, agent, kind, std::string(what), std::string(reason)};
@@ -66,6 +66,12 @@ std::vector<Event> changes(const Tick* before, const Tick& now) {
       events.push_back(event_at(now, kWorldId, EventKind::Refused, fmt::format("nonce_{:016x}", refusal.nonce),
                                 skein::name_of(refusal.reason)));
     }
+  }
+  for (const Order& order : now.orders) {  // a tick of a round says them once
+    const bool is_goto = order.kind == OrderKind::Goto;
+    events.push_back(
+        event_at(now, order.agent, EventKind::Command, skein::name_of(order.kind),
+                 is_goto ? fmt::format("{:.1f} {:.1f} {:.1f}", order.to_m.x(), order.to_m.y(), order.to_m.z()) : ""));
   }
   if (now.outcome && (before == nullptr || !before->outcome)) {
     events.push_back(event_at(now, kWorldId, EventKind::Outcome, fmt::format("exit_{}", now.outcome->exit_code),

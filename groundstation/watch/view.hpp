@@ -26,6 +26,7 @@ enum class EventKind : std::uint8_t {
   NearMiss,   ///< two vehicles are nearer than their safety radii
   Collision,  ///< or than their bodies
   Outcome,    ///< what the run came to
+  Command,    ///< the swarm was told something
 };
 
 struct Event {

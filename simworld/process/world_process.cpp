@@ -130,6 +130,7 @@ class WorldProcess {
     options.recorded = arguments.recorded;
     options.pace = {arguments.realtime, scenario_.lockstep.round_s};
     options.faults = arguments.faults;
+    options.wait_start = arguments.wait_start;
     return options;
   }
 

@@ -10,6 +10,7 @@
 
 #include "planner/core/lockstep/names.hpp"
 #include "simworld/report/flight_report.hpp"
+#include "simworld/report/steering_report.hpp"
 
 namespace skein {
 namespace {
@@ -218,6 +219,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   if (run.map_watch() != nullptr) add_maps(report, *run.map_watch());
   add_surprises(report, run);
   report["roster_changes"] = changes_of(run);
+  add_steering(report, run);
   report["discovery_s"] = span_s(times.created_s, times.started_s);
   report["plan_s"] = plan_s;
   report["rounds_per_s"] = per_second(run.planning_rounds(), plan_s);

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cyclone/beacon.h>
+#include <cyclone/command.h>
+#include <cyclone/inject.h>
 #include <cyclone/mission.h>
 #include <cyclone/obstacle_map.h>
 #include <cyclone/representative.h>
@@ -31,46 +33,51 @@ void to_json(skein::cyclone::Json& json, const Sequence& sequence) {
     NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__))                  \
   }
 
-SKEIN_FIELDS(skein_v6_Header, run, stamp_ns, sender, incarnation)
-SKEIN_FIELDS(skein_v6_Point3, x, y, z)
-SKEIN_FIELDS(skein_v6_Sighting, id, position_m, velocity_mps, radius_m, column, immobile)
-SKEIN_FIELDS(skein_v6_DirectedPoint, position_m, heading_rad, climb_rad)
+SKEIN_FIELDS(skein_v7_Header, run, stamp_ns, sender, incarnation)
+SKEIN_FIELDS(skein_v7_Point3, x, y, z)
+SKEIN_FIELDS(skein_v7_Sighting, id, position_m, velocity_mps, radius_m, column, immobile)
+SKEIN_FIELDS(skein_v7_DirectedPoint, position_m, heading_rad, climb_rad)
 
-SKEIN_FIELDS(skein_v6_Vehicle, agent, start, slot_offset_m, kind, speed_mps, max_curvature_per_m, radius_m,
+SKEIN_FIELDS(skein_v7_Vehicle, agent, start, slot_offset_m, kind, speed_mps, max_curvature_per_m, radius_m,
              safety_radius_m, max_torsion_per_m, max_acceleration_mps2)
-SKEIN_FIELDS(skein_v6_Area, shape, no_fly, min_m, max_m, radius_m)
-SKEIN_FIELDS(skein_v6_Ground, a, b, c, d, e, f, g, h, l)
-SKEIN_FIELDS(skein_v6_RendezvousPlanner, name, particles, generations, length_weight, inertia_start, inertia_end,
+SKEIN_FIELDS(skein_v7_Area, shape, no_fly, min_m, max_m, radius_m)
+SKEIN_FIELDS(skein_v7_Ground, a, b, c, d, e, f, g, h, l)
+SKEIN_FIELDS(skein_v7_RendezvousPlanner, name, particles, generations, length_weight, inertia_start, inertia_end,
              cognitive, social, search_min_chords, search_max_chords, velocity_limit, reinitialise_probability,
              check_points, dense_points, penalty, length_penalty, clearance_margin_m, equalise_directions,
              equalise_rounds, cooperate, own_reference, refresh_costs, equalise, length_tolerance_m,
              crossover_probability, mutation_probability, max_segments, replan, rounds_per_step)
-SKEIN_FIELDS(skein_v6_Crossing, area_min_m, area_max_m, goal_radius_m, planner_name, planner_values, radio_values,
+SKEIN_FIELDS(skein_v7_Crossing, area_min_m, area_max_m, goal_radius_m, planner_name, planner_values, radio_values,
              sensor_values, goals_m)
-SKEIN_FIELDS(skein_v6_Announced, place, from_s, to_s, early_s, clear_s)
-SKEIN_FIELDS(skein_v6_Mission, head, name, kind, seed, length_unit_m, step_s, formation, arrival_radius_m, vehicles,
+SKEIN_FIELDS(skein_v7_Announced, place, from_s, to_s, early_s, clear_s)
+SKEIN_FIELDS(skein_v7_Mission, head, name, kind, seed, length_unit_m, step_s, formation, arrival_radius_m, vehicles,
              zones, terrain, planner, transit, controller_name, controller_values, announced)
 
-SKEIN_FIELDS(skein_v6_LiveAgent, agent, incarnation, nonce, counts_representative, gets_sense, counts_obstacle_map)
-SKEIN_FIELDS(skein_v6_TurnedAway, nonce, reason)
-SKEIN_FIELDS(skein_v6_GivenId, nonce, agent)
-SKEIN_FIELDS(skein_v6_Tick, head, step, round, phase, time_s, roster, refused, given, world_hash, exit_code, reason)
+SKEIN_FIELDS(skein_v7_LiveAgent, agent, incarnation, nonce, counts_representative, gets_sense, counts_obstacle_map)
+SKEIN_FIELDS(skein_v7_TurnedAway, nonce, reason)
+SKEIN_FIELDS(skein_v7_GivenId, nonce, agent)
+SKEIN_FIELDS(skein_v7_Ordered, id, agent, kind, to_m, speed_mps)
+SKEIN_FIELDS(skein_v7_Answered, id, result, round, acknowledged, text)
+SKEIN_FIELDS(skein_v7_Tick, head, step, round, phase, time_s, roster, refused, given, world_hash, exit_code, reason,
+             commands, answers)
+SKEIN_FIELDS(skein_v7_Command, head, id, agent, kind, to_m, speed_mps, deadline_s)
+SKEIN_FIELDS(skein_v7_Inject, head, id, kind, agent, position_m, velocity_mps, radius_m, column, deadline_s)
 
-SKEIN_FIELDS(skein_v6_HeardPeer, agent, position_m, velocity_mps, landed)
-SKEIN_FIELDS(skein_v6_CellBlock, i, j, k, ni, nj, nk, packed)
-SKEIN_FIELDS(skein_v6_Sense, head, agent, round, own, velocity_mps, heard, sight, tracks, zones, obeyed)
+SKEIN_FIELDS(skein_v7_HeardPeer, agent, position_m, velocity_mps, landed)
+SKEIN_FIELDS(skein_v7_CellBlock, i, j, k, ni, nj, nk, packed)
+SKEIN_FIELDS(skein_v7_Sense, head, agent, round, own, velocity_mps, heard, sight, tracks, zones, obeyed)
 
-SKEIN_FIELDS(skein_v6_Lack, agent, round, topic)
-SKEIN_FIELDS(skein_v6_Beacon, head, agent, nonce, step, round, closes_round, sent_representative, sent_obstacle_map,
+SKEIN_FIELDS(skein_v7_Lack, agent, round, topic)
+SKEIN_FIELDS(skein_v7_Beacon, head, agent, nonce, step, round, closes_round, sent_representative, sent_obstacle_map,
              matched, needs, mode, failing, failing_peer, own, commanded_velocity_mps, planned_length_m, cost,
              generation, map_hash, plan_view, safety_mode, safety_reason, deviation_m, predicted_separation_m,
-             state_hash)
+             state_hash, acknowledged)
 
-SKEIN_FIELDS(skein_v6_Reopening, attempt, switch_step, reason, own, speed_mps, obstacles)
-SKEIN_FIELDS(skein_v6_Representative, head, agent, round, stage, violated, particle, cost, own_length_m, path_length_m,
+SKEIN_FIELDS(skein_v7_Reopening, attempt, switch_step, reason, own, speed_mps, obstacles)
+SKEIN_FIELDS(skein_v7_Representative, head, agent, round, stage, violated, particle, cost, own_length_m, path_length_m,
              reopening)
 
-SKEIN_FIELDS(skein_v6_NextMove, to_m, to_go_m, decision, next_cells, asks, on_behalf_of, waited, status)
-SKEIN_FIELDS(skein_v6_LogMark, agent, version, digest)
-SKEIN_FIELDS(skein_v6_MapPatch, tile, version, cells, origin, epoch)
-SKEIN_FIELDS(skein_v6_ObstacleMap, head, agent, round, intent, seen, tiles)
+SKEIN_FIELDS(skein_v7_NextMove, to_m, to_go_m, decision, next_cells, asks, on_behalf_of, waited, status)
+SKEIN_FIELDS(skein_v7_LogMark, agent, version, digest)
+SKEIN_FIELDS(skein_v7_MapPatch, tile, version, cells, origin, epoch)
+SKEIN_FIELDS(skein_v7_ObstacleMap, head, agent, round, intent, seen, tiles)

@@ -44,13 +44,15 @@ Json fields_of(const void* sample) {
   return *static_cast<const Sample*>(sample);
 }
 
-const std::array<Topic, 6> kTopics{{
-    {"skein/mission", &skein_v6_Mission_desc, true, false, fields_of<skein_v6_Mission>},
-    {"skein/tick", &skein_v6_Tick_desc, false, false, fields_of<skein_v6_Tick>},
-    {"skein/sense", &skein_v6_Sense_desc, false, true, fields_of<skein_v6_Sense>},
-    {"skein/beacon", &skein_v6_Beacon_desc, false, false, fields_of<skein_v6_Beacon>},
-    {"skein/representative", &skein_v6_Representative_desc, false, false, fields_of<skein_v6_Representative>},
-    {"skein/obstacle_map", &skein_v6_ObstacleMap_desc, false, false, fields_of<skein_v6_ObstacleMap>},
+const std::array<Topic, 8> kTopics{{
+    {"skein/mission", &skein_v7_Mission_desc, true, false, fields_of<skein_v7_Mission>},
+    {"skein/tick", &skein_v7_Tick_desc, false, false, fields_of<skein_v7_Tick>},
+    {"skein/sense", &skein_v7_Sense_desc, false, true, fields_of<skein_v7_Sense>},
+    {"skein/beacon", &skein_v7_Beacon_desc, false, false, fields_of<skein_v7_Beacon>},
+    {"skein/representative", &skein_v7_Representative_desc, false, false, fields_of<skein_v7_Representative>},
+    {"skein/obstacle_map", &skein_v7_ObstacleMap_desc, false, false, fields_of<skein_v7_ObstacleMap>},
+    {"skein/command", &skein_v7_Command_desc, false, false, fields_of<skein_v7_Command>},
+    {"skein/inject", &skein_v7_Inject_desc, false, false, fields_of<skein_v7_Inject>},
 }};
 
 dds_entity_t make_reader(dds_entity_t participant, const std::string& swarm, const Topic& topic) {
@@ -109,8 +111,8 @@ class Listener {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       if (!infos[i].valid_data) continue;
       heard_.push_back({{"topic", kTopics[index].name}, {"sample", kTopics[index].fields(samples[i])}});
-      if (kTopics[index].type != &skein_v6_Tick_desc) continue;
-      finished_ = finished_ || static_cast<const skein_v6_Tick*>(samples[i])->phase == kFinished;
+      if (kTopics[index].type != &skein_v7_Tick_desc) continue;
+      finished_ = finished_ || static_cast<const skein_v7_Tick*>(samples[i])->phase == kFinished;
     }
     if (count > 0) require(dds_return_loan(readers_[index], samples.data(), count), "loan");
   }

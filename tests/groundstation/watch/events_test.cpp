@@ -41,6 +41,18 @@ TEST(Events, ARefusalIsToldOnceWithItsReason) {
   EXPECT_TRUE(changes(&now, now).empty());
 }
 
+TEST(Events, ACommandIsTold) {
+  const Tick before = tick_at(5, Phase::Flying, 4);
+  Tick now = tick_at(6, Phase::Flying, 5);
+  now.orders = {{7, 2, OrderKind::Goto, Vec3(1.0, -2.0, 3.0), 0.0}};
+  const auto events = changes(&before, now);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].agent, 2U);
+  EXPECT_EQ(events[0].kind, EventKind::Command);
+  EXPECT_EQ(events[0].what, "goto");
+  EXPECT_EQ(events[0].reason, "1.0 -2.0 3.0");
+}
+
 TEST(Events, TheOutcomeHasItsReason) {
   const Tick before = tick_at(8, Phase::Flying, 7);
   Tick last = tick_at(9, Phase::Finished, 7);

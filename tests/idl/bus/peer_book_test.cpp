@@ -218,24 +218,24 @@ TEST(PeerBook, AnObserverIsInConflictWithAWorldOfAnotherVersion) {
   PeerInfo world = info(Role::World, 9);
   book.discovered(kFirst, world);
   EXPECT_EQ(book.conflict(), std::nullopt);
-  world.wire_version = 7;
+  world.wire_version = 8;
   book.discovered(kFirst, world);
-  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("speaks wire version 7, this observer version 1"));
+  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("speaks wire version 8, this observer version 1"));
 }
 
 TEST(PeerBook, AWorldOfAnotherSwarmOrAnAgentOfAnotherVersionIsNoConflict) {
   PeerBook book(info(Role::Agent, 5));
   PeerInfo stranger = info(Role::World, 9);
-  stranger.wire_version = 7;
+  stranger.wire_version = 8;
   stranger.swarm = "ducks";
   book.discovered(kFirst, stranger);
   PeerInfo newer = info(Role::Agent, 8);
-  newer.wire_version = 7;
+  newer.wire_version = 8;
   book.discovered(kSecond, newer);
   EXPECT_EQ(book.conflict(), std::nullopt);
   stranger.swarm = "geese";
   book.discovered(kFirst, stranger);
-  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("wire version 7"));
+  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("wire version 8"));
 }
 
 TEST(PeerBook, IsObservedByWhoReadsTicksWithoutAPartInTheRun) {
