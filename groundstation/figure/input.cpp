@@ -13,6 +13,7 @@
 #include "groundstation/mcap/file.hpp"
 #include "groundstation/record/tap.hpp"
 #include "simworld/report/report.hpp"
+#include "simworld/report/steering_report.hpp"
 
 namespace skein::figure {
 namespace {
@@ -43,6 +44,8 @@ void run_again(const Scenario& scenario, RunInput& input) {
   RunCollector collector;
   options.fail_fast = input.report.value("fail_fast", false);
   options.replay = roster_changes_of(input.report);
+  options.orders = orders_of(input.report);
+  options.injections = injections_of(input.report);
   options.tap = [&](AgentId, const wire::Sample& sample) { collector.add(topic_of(sample), payload_of(sample)); };
   const InProcessResult again = run_in_process(scenario, options);
   input.data = collector.data();

@@ -15,7 +15,7 @@ constexpr std::size_t kPoints = 201;
 constexpr double kFlat_m = 1e-6;
 
 bool is_grounded(AgentMode mode) {
-  return mode == AgentMode::Arrived || mode == AgentMode::Rejoined;
+  return mode == AgentMode::Arrived || mode == AgentMode::Rejoined || mode == AgentMode::Landed;
 }
 
 }  // namespace

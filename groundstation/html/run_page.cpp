@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 #include "groundstation/html/page.hpp"
@@ -178,7 +179,10 @@ std::string rerun_command(const RunInput& input) {
   std::string command = run_command(input);
   if (command.empty()) return "";
   command += " --in-process";
-  const bool changed = input.report.is_object() && !input.report.value("roster_changes", Json::array()).empty();
+  constexpr std::array kEvents{"roster_changes", "commands", "injections"};
+  const bool changed = input.report.is_object() && std::ranges::any_of(kEvents, [&](const char* name) {
+                         return !input.report.value(name, Json::array()).empty();
+                       });
   if (!changed) return command;
   if (!of_facts(input, "recorder").empty()) return "skein verify " + shell_word(input.name) + " --rerun";
   return command + " --roster " + shell_word(input.name.ends_with(".json") ? input.name : input.name + "/report.json");

@@ -17,7 +17,11 @@ enum class Prints : std::uint8_t {
   Screen,    ///< a full terminal: it has no --json
 };
 
-enum class Needs : std::uint8_t { Nothing, Swarm };
+enum class Needs : std::uint8_t {
+  Nothing,
+  Swarm,  ///< one in flight
+  Start,  ///< one that waits for its start
+};
 
 struct VerbRow {
   std::string verb;
