@@ -9,11 +9,12 @@ set -euo pipefail
 build_packages=(
   g++ cmake ninja-build pkg-config
   libfastrtps-dev libfastcdr-dev fastddsgen default-jre-headless # DDS; the generator of wire structs runs on Java
-  libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libyaml-cpp-dev
-  libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libeigen3-dev libsleef-dev librandom123-dev libfcl-dev libassimp-dev zlib1g-dev libzstd-dev libyaml-cpp-dev
+  libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev libncurses-dev
 )
-check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 ccache
-  clang-14 clang-tidy-14 libclang-rt-14-dev) # sanitizers and libFuzzer
+check_packages=(libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 binutils python3 tmux nodejs npm ccache gnuplot-nox
+  clang-14 clang-tidy-14 libclang-rt-14-dev # sanitizers and libFuzzer
+  cyclonedds-dev cyclonedds-tools) # a second vendor attaches
 container_packages=(python3 iptables iproute2 util-linux libfaketime) # faults are injected from outside
 if [[ ${SKEIN_ENGINE:-podman} == podman ]]; then
   container_packages+=(podman runc containernetworking-plugins golang-github-containernetworking-plugin-dnsname
@@ -33,8 +34,16 @@ fail() {
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
 
-# Any Java will do for the generator.
-is_there() { is_installed "$1" || { [[ $1 == default-jre-headless ]] && java -version >/dev/null 2>&1; }; }
+# Any Java will do for the generator, and any node and npm to read recordings with.
+is_there() {
+  is_installed "$1" && return
+  case $1 in
+    default-jre-headless) java -version ;;
+    nodejs) node --version ;;
+    npm) npm --version ;;
+    *) false ;;
+  esac >/dev/null 2>&1
+}
 
 list_missing() {
   missing=()

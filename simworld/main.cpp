@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
   skein::WorldArguments arguments;
   skein::add_common_flags(app, arguments.common);
   skein::add_world_options(app, arguments);
+  app.add_flag("--recorded", arguments.recorded, "the launcher says which rounds are recorded")->group("");
   app.add_option("--control-fd", arguments.control_fd, "descriptor of the launcher's socket pair")->group("");
   app.add_option("--settle-time", arguments.settle_s, "seconds of silence before the mission is published")->group("");
   app.set_version_flag("--version", std::string(skein::version()));

@@ -44,6 +44,11 @@ class Behaviour {
   [[nodiscard]] virtual bool can_use(const Representative& peer) const = 0;
   /// One round, planning or flight; rounds come in order, each once.
   virtual RoundOutput on_round(const RoundInput& input) = 0;
+  /// Its rounds go on after some that it was left out of, while its vehicle obeyed the operator.
+  /// @param stale its peers may have planned without it since
+  virtual void resume(bool /*stale*/) {}
+  /// Whether it needs not be where it was left to do so.
+  [[nodiscard]] virtual bool resumes_anywhere(bool /*stale*/) const { return false; }
   /// All that decides later rounds: mode, plan, sub-swarm, progress.
   virtual void add_to(StateHash& hash) const = 0;
 };

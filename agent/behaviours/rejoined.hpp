@@ -17,6 +17,7 @@ class RejoinedBehaviour final : public Behaviour {
  public:
   [[nodiscard]] bool can_use(const Representative& /*peer*/) const override { return true; }
   RoundOutput on_round(const RoundInput& input) override;
+  [[nodiscard]] bool resumes_anywhere(bool /*stale*/) const override { return true; }
   void add_to(StateHash& hash) const override;
 
  private:

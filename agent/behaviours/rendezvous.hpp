@@ -30,6 +30,11 @@ class RendezvousBehaviour final : public Behaviour {
   /// With planner.replan 1 any: which ones count depends on the plan under way, and is sorted out in the round.
   [[nodiscard]] bool can_use(const Representative& peer) const override;
   RoundOutput on_round(const RoundInput& input) override;
+  /// Where the swarm plans under way it asks for a new plan if its own is stale.
+  void resume(bool stale) override {
+    if (stale && replans_ && under_way_) under_way_->drop_plan();
+  }
+  [[nodiscard]] bool resumes_anywhere(bool stale) const override { return stale && replans_; }
   void add_to(StateHash& hash) const override;
 
  private:

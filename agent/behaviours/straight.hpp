@@ -23,6 +23,7 @@ class StraightBehaviour final : public Behaviour {
 
   [[nodiscard]] bool can_use(const Representative& /*peer*/) const override { return false; }
   RoundOutput on_round(const RoundInput& input) override;
+  [[nodiscard]] bool resumes_anywhere(bool /*stale*/) const override { return true; }
   void add_to(StateHash& hash) const override;
 
  private:

@@ -39,6 +39,14 @@ class UnderWay {
   /// A round in flight: a step, or a planning round between two. Sets all but the samples' signatures.
   void on_round(const RoundInput& input, RoundOutput& out);
 
+  /// It has no plan any more, wherever it is, and calls for one.
+  void drop_plan() {
+    plan_.reset();
+    waiting_.reset();
+    reference_m_.reset();
+    accepted_ = arrived_ = false;
+  }
+
   void add_to(StateHash& hash) const;
 
  private:

@@ -101,7 +101,7 @@ void AgentSession::follow_roster() {
 void AgentSession::become_live(std::uint32_t incarnation) {
   state_ = State::Live;
   incarnation_ = incarnation;
-  if (incarnation > 1) behaviour_ = make_rejoined_behaviour(mission_, id_);
+  if (incarnation > 1) set_behaviour(make_rejoined_behaviour(mission_, id_));
 }
 
 /// Dropped: nothing of its former life is left but the mission and the newest tick.
@@ -109,8 +109,9 @@ void AgentSession::start_over() {
   state_ = State::Introducing;
   dropped_ = true;
   incarnation_ = 0;
-  behaviour_ = make_behaviour(mission_, id_);
+  set_behaviour(make_behaviour(mission_, id_));
   sense_.reset();
+  acknowledged_.clear();
   forget_peers();
   done_round_ = 0;
   last_ = {};
@@ -140,6 +141,27 @@ std::vector<Need> AgentSession::lacking() const {
   return needs;
 }
 
+void AgentSession::set_behaviour(std::unique_ptr<Behaviour> behaviour) {
+  behaviour_ = std::move(behaviour);
+  commanded_ = nullptr;
+}
+
+/// What the open tick orders, from this round on.
+void AgentSession::obey() {
+  acknowledged_.clear();
+  for (const Order& order : tick_->orders) {
+    if (!concerns(order, id_)) continue;
+    acknowledged_.push_back(order.id);
+    if (order.kind == OrderKind::Start || order.kind == OrderKind::Abort) continue;
+    if (commanded_ == nullptr) {
+      auto commanded = std::make_unique<CommandedBehaviour>(mission_, id_, std::move(behaviour_));
+      commanded_ = commanded.get();
+      behaviour_ = std::move(commanded);
+    }
+    commanded_->obey(order);
+  }
+}
+
 void AgentSession::answer(double now_s) {
   const Tick& tick = *tick_;
   std::vector<Representative> peers;
@@ -152,6 +174,7 @@ void AgentSession::answer(double now_s) {
     }
     if (entry.obstacle_map) maps.push_back(*heard_maps_.find(tick.round - 1, entry.agent, entry.incarnation));
   }
+  obey();
   const bool sensed = sense_ && sense_->round == tick.round;
   last_ = behaviour_->on_round({tick, sensed ? &*sense_ : nullptr, peers, maps});
   done_round_ = tick.round;
@@ -223,6 +246,7 @@ Beacon AgentSession::beacon() const {
   beacon.deviation_m = last_.deviation_m;
   beacon.predicted_separation_m = last_.predicted_separation_m;
   beacon.state_hash = state_hash_;
+  beacon.acknowledged = acknowledged_;
   return beacon;
 }
 

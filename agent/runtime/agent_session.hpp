@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "agent/behaviours/behaviour.hpp"
+#include "agent/behaviours/commanded.hpp"
 #include "agent/runtime/peer_samples.hpp"
 #include "idl/bus/port.hpp"
 #include "idl/convert/convert.hpp"
@@ -77,6 +78,8 @@ class AgentSession {
   void forget_peers();
   [[nodiscard]] std::vector<Need> lacking() const;
   void answer(double now_s);
+  void obey();
+  void set_behaviour(std::unique_ptr<Behaviour> behaviour);
   template <typename Sample>
   void sign(Sample& sample) const;
   void publish_answer(double now_s);
@@ -95,7 +98,8 @@ class AgentSession {
   std::vector<AgentId> ids_;
   std::optional<CellGrid> grid_;  ///< of a transit
   std::unique_ptr<Behaviour> behaviour_;
-  std::optional<Tick> tick_;  ///< the newest
+  CommandedBehaviour* commanded_ = nullptr;  ///< behaviour_, once it was commanded
+  std::optional<Tick> tick_;                 ///< the newest
   std::optional<Sense> sense_;
   PeerSamples<Representative> heard_;  ///< one that the behaviour cannot use is heard, but counts as left out
   PeerSamples<ObstacleMapSample> heard_maps_;
@@ -105,7 +109,8 @@ class AgentSession {
   std::optional<Representative> sent_;
   std::optional<ObstacleMapSample> sent_map_;
   std::uint64_t state_hash_ = 0;
-  bool dropped_ = false;  ///< it was live before
+  std::vector<std::uint64_t> acknowledged_;  ///< orders of the round that was answered last
+  bool dropped_ = false;                     ///< it was live before
   std::optional<RefusalReason> refused_;
   double heard_world_s_;
   bool ever_heard_ = false;

@@ -1,12 +1,12 @@
 #include "groundstation/attach/attach.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 
+#include "groundstation/attach/choose_swarm.hpp"
 #include "groundstation/attach/observed_run.hpp"
 #include "idl/process/dds_config.hpp"
 #include "idl/process/network_watch.hpp"
@@ -16,12 +16,9 @@
 namespace skein {
 namespace {
 
-constexpr double kHearAll_s =
-    1.5;  ///< in which all swarms of a domain are heard: they announce themselves every second
 constexpr double kSilence_s = 30.0;     ///< without a tick of any phase, as agents take it
 constexpr double kLastTick_s = 2.0;     ///< for a last tick that is still on its way when its world is gone
 constexpr double kFoundAgain_s = 20.0;  ///< in which a world is found again, or is gone: as long as its lease lasts
-constexpr int kUsage = 2;
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 
@@ -35,13 +32,10 @@ class Watch {
       : flags_(flags), show_(show), signals_({SIGINT, SIGTERM}) {}
 
   Attached run() {
+    const SwarmChoice choice = choose_swarm(flags_, signals_);
+    if (choice.swarm.empty()) return without_result(choice.exit_code, choice.reason);
     CommonFlags flags = flags_;
-    if (flags.swarm.empty()) {
-      const std::vector<std::string> swarms = find_swarms();
-      if (ended_) return *ended_;
-      if (swarms.size() != 1) return choose(swarms);
-      flags.swarm = swarms.front();
-    }
+    flags.swarm = choice.swarm;
     return follow(flags);
   }
 
@@ -50,7 +44,7 @@ class Watch {
   bool wait(int fd, double limit_s) {
     wait_readable({fd, signals_.fd(), network_.fd()}, std::clamp(limit_s, 0.0, kInNeed_s));
     if (const auto signal = signals_.take()) {
-      ended_ = without_result(128 + *signal, fmt::format("ended by {}", *signal == SIGINT ? "SIGINT" : "SIGTERM"));
+      ended_ = without_result(128 + *signal, ended_by(*signal));
     }
     return ended_.has_value();
   }
@@ -66,31 +60,6 @@ class Watch {
     };
     if (const auto what = network_.follow(in_need, renew, steady_now_s())) fmt::print(stderr, "{}\n", *what);
     return renewed;
-  }
-
-  /// All of them, once the first was heard.
-  std::vector<std::string> find_swarms() {
-    bus::DdsSwarmFinder finder(dds_config(flags_, kWorldId, random_id()));
-    const double start_s = steady_now_s();
-    double until_s = start_s + flags_.startup_timeout_s;
-    std::vector<std::string> swarms;
-    while (steady_now_s() < until_s) {
-      if (wait(finder.wake_fd(), until_s - steady_now_s())) return {};
-      follow_network(finder, swarms.empty());
-      const bool first = swarms.empty();
-      swarms = finder.swarms();
-      if (first && !swarms.empty()) until_s = std::min(until_s, steady_now_s() + kHearAll_s);
-    }
-    return swarms;
-  }
-
-  [[nodiscard]] Attached choose(const std::vector<std::string>& swarms) const {
-    if (swarms.empty()) {
-      return without_result(kStartUp,
-                            fmt::format("no swarm in domain {} within {} s", flags_.domain, flags_.startup_timeout_s));
-    }
-    return without_result(kUsage, fmt::format("domain {} has {} swarms: {}; choose one with --swarm", flags_.domain,
-                                              swarms.size(), fmt::join(swarms, ", ")));
   }
 
   Attached follow(const CommonFlags& flags) {

@@ -35,6 +35,8 @@ class ObservedRun {
   void on_sample(const wire::Mission& sample);
   void on_sample(const wire::Tick& sample);
   void on_sample(const wire::Beacon& sample);
+  template <typename Shared>
+  void on_sample(const Shared& /*sample*/) {}  // what agents share tells nothing of a run's course
 
   std::optional<Mission> mission_;
   std::optional<Tick> tick_;           ///< the newest

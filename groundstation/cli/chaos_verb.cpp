@@ -12,6 +12,9 @@
 
 #include "groundstation/chaos/campaign.hpp"
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/sweep/junit.hpp"
+#include "groundstation/sweep/progress.hpp"
+#include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/lockstep/map_watch.hpp"
 #include "simworld/lockstep/run.hpp"
@@ -32,6 +35,7 @@ struct ChaosArguments {
   std::uint32_t runs = 10;
   std::string faults;
   double limit_s = 120.0;
+  std::string junit;
   bool json = false;
 };
 
@@ -92,6 +96,20 @@ void print(const Json& summary, const std::map<std::string, std::string>& refuse
   for (const auto& [kind, why] : refused) std::cout << fmt::format("{} was left out: {}\n", kind, why);
 }
 
+/// A case a run; what broke no invariant did not fail.
+std::string junit_of(const Scenario& scenario, const std::vector<chaos::RunOutcome>& outcomes) {
+  JunitSuite suite{scenario.mission.name, {}};
+  for (const chaos::RunOutcome& outcome : outcomes) {
+    JunitCase one{fmt::format("seed {}, {}", outcome.seed, outcome.fault), "", ""};
+    if (!chaos::is_sound(outcome)) {
+      one.failure = outcome.reason.empty() ? "an invariant does not hold" : outcome.reason;
+      one.type = fmt::format("exit code {}", outcome.exit_code);
+    }
+    suite.cases.push_back(std::move(one));
+  }
+  return junit_xml("skein chaos", {suite});
+}
+
 int campaign(ChaosArguments& arguments, const Scenario& scenario) {
   std::map<std::string, std::string> refused;
   chaos::CampaignPlan plan = plan_of(arguments, scenario);
@@ -102,9 +120,12 @@ int campaign(ChaosArguments& arguments, const Scenario& scenario) {
     if (const auto arrived = signals.take()) signal = arrived;
     return signal.has_value();
   };
-  plan.on_run = [&](const chaos::RunOutcome& outcome, std::size_t done) {
-    std::cerr << fmt::format("{} of {}: seed {}, {}: {}{}\n", done, plan.runs, outcome.seed, outcome.fault,
-                             outcome.reason,
+  std::ofstream junit;
+  if (!arguments.junit.empty()) junit.open(arguments.junit, std::ios::binary);
+  if (!junit) throw std::runtime_error(fmt::format("--junit: cannot write {}", arguments.junit));
+  plan.on_run = [&, start_s = steady_now_s()](const chaos::RunOutcome& outcome, std::size_t done) {
+    std::cerr << fmt::format("{}: seed {}, {}: {}{}\n", progress_text(done, plan.runs, 0, steady_now_s() - start_s),
+                             outcome.seed, outcome.fault, outcome.reason,
                              chaos::is_sound(outcome) ? "" : fmt::format(" [kept in {}/{}]", plan.folder, done - 1))
               << std::flush;
   };
@@ -114,6 +135,8 @@ int campaign(ChaosArguments& arguments, const Scenario& scenario) {
   Json summary{{"scenario", scenario.mission.name}, {"seed", plan.seed}, {"refused", refused}};
   summary.update(chaos::summary_of(outcomes));
   print(summary, refused, arguments.json);
+  if (junit.is_open()) junit << junit_of(scenario, outcomes) << std::flush;
+  if (!junit) throw std::runtime_error(fmt::format("--junit: cannot write {}", arguments.junit));
   if (signal) return 128 + *signal;
   return std::ranges::all_of(outcomes, chaos::is_sound) ? 0 : static_cast<int>(ExitCode::Failed);
 }
@@ -158,7 +181,9 @@ VerbAction add_chaos_verb(CLI::App& app) {
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   verb->add_option("--out", arguments->world.out, "folder for the runs; those that kept every promise are removed");
+  verb->add_option("--junit", arguments->junit, "FILE.xml: a test case a run, broken invariants as failures");
   verb->add_flag("--json", arguments->json, "print the table as JSON on standard output");
+  verb->footer("Example: skein chaos deploy/scenarios/rendezvous-ring.yaml --runs 20 --seed 1");
   return [arguments] { return run(*arguments); };
 }
 

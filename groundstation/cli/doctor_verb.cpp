@@ -62,6 +62,7 @@ VerbAction add_doctor_verb(CLI::App& app) {
       ->check(CLI::Range(1U, kMaxAgents))
       ->capture_default_str();
   verb->add_flag("--json", arguments->json, "print JSON");
+  verb->footer("Exit code 1 if a finding prevents a run.\nExample: skein doctor --agents 12");
   return [arguments] { return examine(*arguments); };
 }
 

@@ -58,6 +58,7 @@ VerbAction add_profile_verb(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("-o,--out", arguments->out, "file to write instead of standard output");
   verb->add_flag("--json", arguments->json, "print JSON");
+  verb->footer("Example: skein profile containers -o containers.env");
   return [arguments] { return show(*arguments); };
 }
 

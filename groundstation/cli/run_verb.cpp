@@ -15,11 +15,14 @@
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/inprocess/in_process.hpp"
 #include "groundstation/launch/launcher.hpp"
+#include "groundstation/record/barrier_recorder.hpp"
+#include "groundstation/record/tap.hpp"
 #include "idl/process/poll.hpp"
 #include "simworld/checkpoint/checkpoint.hpp"
 #include "simworld/process/progress.hpp"
 #include "simworld/process/world_process.hpp"
 #include "simworld/report/report.hpp"
+#include "simworld/report/steering_report.hpp"
 
 namespace skein {
 namespace {
@@ -33,6 +36,7 @@ struct RunArguments {
   bool json = false;
   std::size_t per_process = 1;
   std::string roster;
+  std::string record;
 };
 
 std::string binaries_folder() {
@@ -44,6 +48,8 @@ std::vector<std::string> world_arguments(const RunArguments& arguments, const st
   flags.insert(flags.end(), {"--out", folder, "--settle-time", fmt::format("{}", arguments.world.settle_s)});
   if (arguments.world.seed) flags.insert(flags.end(), {"--seed", std::to_string(*arguments.world.seed)});
   if (arguments.world.fail_fast) flags.emplace_back("--fail-fast");
+  if (!arguments.record.empty()) flags.emplace_back("--recorded");
+  if (arguments.world.wait_start) flags.emplace_back("--wait-start");
   if (arguments.world.realtime > 0.0)
     flags.insert(flags.end(), {"--realtime", fmt::format("{}", arguments.world.realtime)});
   if (!arguments.world.checkpoint.empty()) {
@@ -122,6 +128,15 @@ int deliver(const Json& report, const std::string& folder, const RunDisplay& dis
   }
 }
 
+/// A run that was to be recorded, and is not whole there, has failed.
+void note_fault_of_record(std::string fault, std::uint64_t lost, const std::string& path, Json& report) {
+  if (fault.empty() && lost > 0) fault = fmt::format("{}: {} samples are missing", path, lost);
+  if (fault.empty()) return;
+  report["reason"] = fmt::format("{}; {}", report["reason"].get<std::string>(), fault);
+  report["success"] = false;
+  if (report["exit_code"] == 0) report["exit_code"] = static_cast<int>(ExitCode::Failed);
+}
+
 int run_processes(RunArguments& arguments, RunDisplay& display, const Scenario& scenario) {
   if (arguments.world.common.swarm.empty()) {
     arguments.world.common.swarm = fmt::format("run-{:016x}", random_id());
@@ -133,12 +148,24 @@ int run_processes(RunArguments& arguments, RunDisplay& display, const Scenario& 
                      arguments_of(arguments.world.common), arguments.per_process,
                      [&](const auto& state) { display.show(state); }, !arguments.world.checkpoint.empty(),
                      [&](const auto& how) { display.note(fmt::format("the world died of {}: started again", how)); }});
+  std::optional<BarrierRecorder> record;
+  if (!arguments.record.empty()) {
+    record.emplace(arguments.world.common, arguments.record, scenario, arguments.world.fail_fast);
+    launcher.listen(record->wake_fd(), [&] { return record->serve(); });
+  }
   const int status = launcher.run();
   display.end();
   std::ifstream file(folder + "/report.json");
   Json report = Json::parse(file, nullptr, false);
-  if (report.is_discarded()) return without_report(status, launcher, folder);
+  if (report.is_discarded()) {
+    if (record) record->finish(nullptr);
+    return without_report(status, launcher, folder);
+  }
   complete(report, launcher);
+  if (record) {
+    record->finish(report);
+    note_fault_of_record(record->failure(), record->lost(), arguments.record, report);
+  }
   return deliver(report, folder, display);
 }
 
@@ -160,6 +187,8 @@ int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario&
     const std::string obstacle = replay_obstacle(other, scenario, options.fail_fast);
     if (!obstacle.empty()) throw std::runtime_error(fmt::format("--roster {}: {}", arguments.roster, obstacle));
     options.replay = roster_changes_of(other);
+    options.orders = orders_of(other);
+    options.injections = injections_of(other);
     expected_hash = other.value("state_hash", "");
   }
   const SignalWatch signals({SIGINT, SIGTERM});
@@ -167,6 +196,11 @@ int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario&
   ProgressFeed feed([&](const auto& progress, bool) { display.show(progress); });
   options.on_round = [&](const WorldSession& session) { feed.show(session, steady_now_s()); };
   const std::string folder = prepare_out(arguments.world.out, scenario);
+  std::optional<RecordingFile> record;
+  if (!arguments.record.empty()) {
+    record.emplace(arguments.record, RecordingOrigin{"in-process", "", &scenario, options.fail_fast});
+    options.tap = tap_into([&](const TakenSample& sample) { record->add(sample); });
+  }
   InProcessResult result = run_in_process(scenario, options);
   display.end();
   if (!expected_hash.empty() && result.report["state_hash"] != expected_hash) {
@@ -174,6 +208,10 @@ int run_here(const RunArguments& arguments, RunDisplay& display, const Scenario&
                                           result.report["reason"].get<std::string>(), expected_hash, arguments.roster);
     result.report["success"] = false;
     if (result.exit_code == 0) result.report["exit_code"] = static_cast<int>(ExitCode::Failed);
+  }
+  if (record) {
+    record->finish({{"lost", "0"}}, result.report);
+    note_fault_of_record(record->failure(), 0, arguments.record, result.report);
   }
   return deliver(result.report, folder, display);
 }
@@ -199,6 +237,9 @@ int run(RunArguments& arguments) {
     }
     if (arguments.world.realtime > 0.0 && arguments.in_process) {
       throw std::runtime_error("--realtime paces processes: leave --in-process out");
+    }
+    if (arguments.world.wait_start && arguments.in_process) {
+      throw std::runtime_error("--wait-start waits for a command: leave --in-process out");
     }
     const std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (!scenario) return static_cast<int>(ExitCode::Usage);
@@ -230,19 +271,22 @@ VerbAction add_run_verb(CLI::App& app) {
   add_common_flags(*verb, arguments->world.common);
   add_world_options(*verb, arguments->world);
   verb->add_flag("--in-process", arguments->in_process, "all in this process, over the in-memory bus");
-  verb->add_option("--roster", arguments->roster, "with --in-process: repeat the losses of this report.json");
+  verb->add_option("--roster", arguments->roster,
+                   "with --in-process: repeat the losses and commands of this report.json");
+  verb->add_option("--record", arguments->record, "FILE.mcap: keep every sample of the run (docs/recording.md)");
   verb->add_option("--per-process", arguments->per_process, "vehicles that share an agent process, 1 to 256")
       ->check(CLI::Range(std::size_t{1}, std::size_t{kMaxAgents}))
       ->capture_default_str();
   CLI::Option* attach = verb->add_flag("--attach", arguments->attach,
                                        "watch a run that others started, until it ends; its exit code is this one's");
   verb->get_option("SCENARIO")->required(false);
-  for (const char* name :
-       {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out", "--realtime", "--fail-fast",
-        "--fault", "--checkpoint", "--checkpoint-sync", "--in-process", "--roster", "--per-process"}) {
+  for (const char* name : {"SCENARIO", "--seed", "--set", "--planner", "--controller", "--agents", "--out",
+                           "--realtime", "--fail-fast", "--fault", "--wait-start", "--checkpoint", "--checkpoint-sync",
+                           "--in-process", "--roster", "--record", "--per-process"}) {
     attach->excludes(verb->get_option(name));
   }
   verb->add_flag("--json", arguments->json, "print the report as JSON on standard output");
+  verb->footer("Example: skein run deploy/scenarios/rendezvous-2d.yaml --seed 1");
   return [arguments] { return run(*arguments); };
 }
 

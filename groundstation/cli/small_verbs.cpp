@@ -52,6 +52,7 @@ VerbAction add_validate_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("validate", "check a scenario and say what is wrong with it");
   add_scenario_options(*verb, *arguments);
   verb->add_flag("--json", *json, "print JSON");
+  verb->footer("Example: skein validate deploy/scenarios/rendezvous-2d.yaml --set planner.particles=20");
   return [arguments, json] { return validate(*arguments, *json); };
 }
 
@@ -59,6 +60,7 @@ VerbAction add_version_verb(CLI::App& app) {
   auto json = std::make_shared<bool>(false);
   CLI::App* verb = app.add_subcommand("version", "print the version");
   verb->add_flag("--json", *json, "print JSON");
+  verb->footer("Example: skein version --json");
   return [json] {
     if (*json) {
       std::cout << nlohmann::ordered_json{{"version", version()}, {"wire_version", wire::kWireVersion}} << "\n";

@@ -3,16 +3,25 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 #include <iostream>
 #include <thread>
 
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/cli/write_report.hpp"
+#include "groundstation/figure/gnuplot.hpp"
+#include "groundstation/html/page.hpp"
 #include "groundstation/sweep/curves.hpp"
+#include "groundstation/sweep/journal.hpp"
+#include "groundstation/sweep/junit.hpp"
+#include "groundstation/sweep/progress.hpp"
 #include "groundstation/sweep/sweep.hpp"
 #include "groundstation/sweep/table.hpp"
+#include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/lockstep/run.hpp"
 #include "simworld/process/world_process.hpp"
+#include "simworld/report/report.hpp"
 
 namespace skein {
 namespace {
@@ -25,6 +34,10 @@ struct SweepArguments {
   unsigned jobs = 0;
   std::optional<double> require_success;
   std::string curves;
+  std::string report;
+  std::string junit;
+  std::string resume;
+  bool progress = false;
   bool json = false;
 };
 
@@ -87,8 +100,73 @@ SweepPlan plan_of(const SweepArguments& arguments) {
   plan.first_seed = arguments.world.seed.value_or(0);
   plan.runs = arguments.runs;
   plan.curves = arguments.curves;
+  plan.journal = arguments.resume;
   plan.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   return plan;
+}
+
+/// As the user may say it again: --planner and its like are told as the keys that they stand for.
+std::string command_of(const SweepArguments& arguments) {
+  std::string command = fmt::format("skein sweep {} --runs {} --seed {}", html::shell_word(arguments.world.scenario),
+                                    arguments.runs, arguments.world.seed.value_or(0));
+  for (const Override& item : arguments.world.overrides)
+    command.append(" ").append(html::override_words(item.key, item.value));
+  return command;
+}
+
+Json document_of(const SweepArguments& arguments, const SweepResult& result) {
+  Json document{{"scenario", arguments.world.scenario}, {"complete", !result.stopped}};
+  document["version"] = version();
+  document["command"] = command_of(arguments);
+  document["table"] = table_of(result.rows);
+  document["rows"] = result.rows;
+  return document;
+}
+
+/// @return the exit code if the page cannot be written, said in one line
+std::optional<int> guarded_report(const std::function<void()>& action) {
+  try {
+    action();
+    return std::nullopt;
+  } catch (const figure::NoGnuplot& error) {
+    std::cerr << fmt::format("--report: {}\n", error.what());
+    return static_cast<int>(ExitCode::StartUp);
+  } catch (const std::exception& error) {
+    std::cerr << fmt::format("--report: {}\n", error.what());
+    return static_cast<int>(ExitCode::Usage);
+  }
+}
+
+int complain(const std::string& line) {
+  std::cerr << line << "\n";
+  return static_cast<int>(ExitCode::Usage);
+}
+
+ProgressKind progress_kind(const SweepArguments& arguments) {
+  if (isatty(STDERR_FILENO) == 1) return ProgressKind::Terminal;
+  return arguments.progress ? ProgressKind::Lines : ProgressKind::None;
+}
+
+/// Nothing, and a line, if it cannot be made.
+std::optional<SweepResult> run_shown(SweepPlan& plan, ProgressKind kind) {
+  ProgressLine line(std::cerr, kind, "sweep", steady_now_s());
+  plan.on_progress = [&](std::size_t done, std::size_t of) { line.show(done, of, steady_now_s()); };
+  plan.on_resume = [&](std::size_t done) { line.set_before(done); };
+  std::string fault;
+  try {
+    SweepResult result = run_sweep(plan);
+    line.end();
+    return result;
+  } catch (const std::invalid_argument& error) {
+    fault = error.what();
+  } catch (const CurvesNotWritten& error) {
+    fault = fmt::format("--curves: {}", error.what());
+  } catch (const JournalRefused& error) {
+    fault = fmt::format("--resume: {}", error.what());
+  }
+  line.end();
+  complain(fault);
+  return std::nullopt;
 }
 
 int sweep(const SweepArguments& arguments) {
@@ -97,36 +175,37 @@ int sweep(const SweepArguments& arguments) {
     std::cerr << fmt::format("--seed {}: {} runs from it go beyond 2^64 - 1\n", plan.first_seed, plan.runs);
     return static_cast<int>(ExitCode::Usage);
   }
+  if (!arguments.report.empty()) {
+    if (const auto code = guarded_report([&] { check_report(arguments.report); })) return *code;
+  }
   const SignalWatch signals({SIGINT, SIGTERM});
   std::optional<int> signal;
   plan.stop = [&] {
     if (const auto arrived = signals.take()) signal = arrived;
     return signal.has_value();
   };
-  const bool terminal = isatty(STDERR_FILENO) == 1;
-  if (terminal)
-    plan.on_progress = [](std::size_t done, std::size_t of) {
-      std::cerr << fmt::format("\rsweep: {} of {} runs", done, of) << (done == of ? "\n" : "") << std::flush;
-    };
-  SweepResult result;
-  try {
-    result = run_sweep(plan);
-  } catch (const std::invalid_argument& fault) {
-    std::cerr << fault.what() << "\n";
-    return static_cast<int>(ExitCode::Usage);
-  } catch (const CurvesNotWritten& fault) {
-    std::cerr << fmt::format("--curves: {}\n", fault.what());
-    return static_cast<int>(ExitCode::Usage);
-  }
+  std::ofstream junit;
+  if (!arguments.junit.empty()) junit.open(arguments.junit, std::ios::binary);
+  if (!junit) return complain(fmt::format("--junit: cannot write {}", arguments.junit));
+  const std::optional<SweepResult> made = run_shown(plan, progress_kind(arguments));
+  if (!made) return static_cast<int>(ExitCode::Usage);
+  const SweepResult& result = *made;
+  if (junit.is_open()) junit << junit_xml(arguments.world.scenario, junit_suites(result.rows)) << std::flush;
+  if (!junit) return complain(fmt::format("--junit: cannot write {}", arguments.junit));
   if (arguments.json) {
-    Json document{{"scenario", arguments.world.scenario}, {"complete", !result.stopped}};
-    document["table"] = table_of(result.rows);
-    document["rows"] = result.rows;
-    std::cout << document.dump(2) << "\n";
+    std::cout << document_of(arguments, result).dump(2) << "\n";
   } else if (result.rows.size() > 1) {
     print_side_by_side(result.rows, table_of(result.rows));
   } else {
     print_table(result.rows);
+  }
+  if (!arguments.report.empty()) {
+    const auto write = [&] {
+      const figure::Json document = document_of(arguments, result);
+      write_report(figure::input_of_sweep(arguments.world.scenario, document), arguments.report,
+                   command_of(arguments) + " --report " + html::shell_word(arguments.report));
+    };
+    if (const auto code = guarded_report(write)) return *code;
   }
   if (signal) return 128 + *signal;
   for (const Json& row : result.rows) {
@@ -157,7 +236,13 @@ VerbAction add_sweep_verb(CLI::App& app) {
   verb->add_option("--require-success", arguments->require_success, "exit 1 if a success rate is lower")
       ->check(CLI::Range(0.0, 1.0));
   verb->add_option("--curves", arguments->curves, "folder for the curves (CSV) of each combination's first run");
+  verb->add_option("--report", arguments->report, "FILE.html: a page with tables and box plots (docs/reports.md)");
+  verb->add_option("--junit", arguments->junit, "FILE.xml: a test case a run, failures with their reason");
+  verb->add_option("--resume", arguments->resume,
+                   "FILE of the runs that are done: what it has is not run again; it is made if it is not there");
+  verb->add_flag("--progress", arguments->progress, "a line every 10 s where standard error is no terminal");
   verb->add_flag("--json", arguments->json, "print JSON, with every run");
+  verb->footer("Example: skein sweep deploy/scenarios/rendezvous-2d.yaml --runs 1000 --set planner.particles=10,20");
   return [arguments] { return sweep(*arguments); };
 }
 

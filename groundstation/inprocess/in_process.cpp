@@ -27,6 +27,7 @@ class Harness final : public ProcessControl {
  public:
   Harness(const Scenario& scenario, const InProcessOptions& options)
       : scenario_(scenario), options_(options), bus_(kWorldNonce) {
+    if (options.tap) bus_.set_tap(options.tap);  // the world publishes the mission at once
     make_world();
     if (options.tamper) bus_.set_tamper(options.tamper);
     wall_.created_s = steady_now_s();
@@ -82,6 +83,8 @@ class Harness final : public ProcessControl {
     session.fail_fast = options_.fail_fast;
     session.faults = options_.faults;
     session.replay = options_.replay;
+    session.orders = options_.orders;
+    session.injections = options_.injections;
     if (options_.checkpoint.empty()) {
       const auto on_world = [](const Fault& fault) { return fault.agent == kWorldId; };
       if (std::ranges::any_of(options_.faults, on_world)) {

@@ -16,9 +16,12 @@ namespace skein {
 struct InProcessOptions {
   std::vector<Fault> faults;
   std::vector<RosterChange> replay;
+  std::vector<OrderedAt> orders;       ///< what the swarm is told, by round
+  std::vector<InjectedAt> injections;  ///< obstacles, by round
   bool fail_fast = false;
   std::string checkpoint;                             ///< folder; without one the world cannot be killed
   bus::Tamper tamper;                                 ///< sees every sample in transit; empty for none
+  bus::Tap tap;                                       ///< sees every sample as it is published; empty for none
   std::function<std::optional<int>()> signal;         ///< asked every turn: a signal that ends the run; empty for none
   std::function<void(const WorldSession&)> on_round;  ///< called after every round; empty for none
 };

@@ -26,6 +26,7 @@ namespace {
   dup2(nothing, STDIN_FILENO);
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
+  close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // sockets of DDS, if this process has some
   if (inherited >= 0) fcntl(inherited, F_SETFD, 0);
   execv(program, arguments);
   _exit(127);

@@ -15,6 +15,7 @@ namespace skein {
 namespace {
 
 constexpr double kGrace_s = 3.0;       ///< for an agent to end by itself, and then after SIGTERM
+constexpr double kListen_s = 0.1;      ///< between two calls of who listens
 constexpr double kWorldGrace_s = 8.0;  ///< for the world to end after a signal
 
 }  // namespace
@@ -46,12 +47,23 @@ void Launcher::start_world() {
 
 void Launcher::serve_world() {
   while (world_->running()) {
-    wait_readable({signals_.fd(), channel_->fd()}, 1.0);
+    wait_readable({signals_.fd(), channel_->fd(), listened_fd_}, serve_ ? kListen_s : 1.0);
+    serve_listened();
     take_signals();
     take_messages();
     reap();
     if (signal_ && steady_now_s() > signalled_s_ + kWorldGrace_s) world_->signal(SIGKILL);
   }
+}
+
+void Launcher::listen(int fd, std::function<std::optional<nlohmann::json>()> serve) {
+  listened_fd_ = fd;
+  serve_ = std::move(serve);
+}
+
+void Launcher::serve_listened() {
+  if (!serve_) return;
+  if (const auto message = serve_()) channel_->send(*message);
 }
 
 bool Launcher::may_restart_world() {
@@ -199,6 +211,7 @@ void Launcher::end_agents() {
     const double until_s = steady_now_s() + (signal_ && number == 0 ? 0.5 : kGrace_s);
     while (agents_running() && steady_now_s() < until_s) {
       wait_readable({signals_.fd()}, 0.1);
+      serve_listened();
       take_signals();
     }
   }

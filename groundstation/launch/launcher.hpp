@@ -53,6 +53,8 @@ class Launcher {
   /// Blocks SIGINT, SIGTERM and SIGCHLD: construct it before any thread.
   explicit Launcher(LaunchPlan plan);
 
+  /// From now on `serve` is called whenever `fd` is readable, and often besides; what it returns goes to the world.
+  void listen(int fd, std::function<std::optional<nlohmann::json>()> serve);
   /// Runs until every process has ended. @return the world's wait status. @throws StartFailure
   int run();
 
@@ -84,6 +86,7 @@ class Launcher {
   void note_end(Group& group);
   void note_memory();
   void note_recovery(std::uint32_t round);
+  void serve_listened();
   void end_agents();
   [[nodiscard]] bool agents_running();
 
@@ -100,6 +103,8 @@ class Launcher {
   std::optional<double> world_died_s_;
   std::optional<std::uint32_t> repeated_round_;  ///< that was open when it died
   std::vector<double> recoveries_s_;
+  int listened_fd_ = -1;
+  std::function<std::optional<nlohmann::json>()> serve_;
 };
 
 }  // namespace skein

@@ -8,17 +8,14 @@
 #include <fstream>
 #include <system_error>
 
-#include "planner/core/geometry/bounds.hpp"
-#include "planner/core/math/det_math.hpp"
+#include "groundstation/figure/outline.hpp"
 #include "planner/rendezvous/path_profile.hpp"
 
 namespace skein {
 namespace {
 
 constexpr std::size_t kPoints = 201;
-constexpr int kOutlineCorners = 72;
 constexpr std::size_t kLongestTitle = 100;
-constexpr double kTurn_rad = 6.283185307179586;
 
 void write(const CurveFiles& files, const char* what, const std::string& text) {
   const std::filesystem::path path = files.folder / fmt::format("{}-{}.csv", files.stem, what);
@@ -27,52 +24,12 @@ void write(const CurveFiles& files, const char* what, const std::string& text) {
   if (!file) throw CurvesNotWritten(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
 }
 
-/// Seen from above.
-struct Outline {
-  std::vector<Vec2> corners_m;
-  Interval heights_m;
-};
-
-std::vector<Vec2> circle(const Vec2& centre_m, double radius_m) {
-  std::vector<Vec2> corners;
-  for (int k = 0; k <= kOutlineCorners; ++k) {
-    const double angle_rad = kTurn_rad * (k % kOutlineCorners) / kOutlineCorners;
-    corners.emplace_back(centre_m + radius_m * Vec2(math::cos(angle_rad), math::sin(angle_rad)));
-  }
-  return corners;
-}
-
-Outline outline_of(const Cylinder& cylinder) {
-  return {circle(cylinder.centre_m, cylinder.radius_m), {cylinder.z_min_m, cylinder.z_max_m}};
-}
-
-Outline outline_of(const Box& box) {
-  const Vec3& a = box.min_m;
-  const Vec3& b = box.max_m;
-  return {{{a.x(), a.y()}, {b.x(), a.y()}, {b.x(), b.y()}, {a.x(), b.y()}, {a.x(), a.y()}}, {a.z(), b.z()}};
-}
-
-Outline outline_of(const Sphere& sphere) {
-  const double z_m = sphere.centre_m.z();
-  return {circle(sphere.centre_m.head<2>(), sphere.radius_m), {z_m - sphere.radius_m, z_m + sphere.radius_m}};
-}
-
-Outline outline_of(const Mesh& mesh) {
-  return outline_of(mesh.bounds());
-}
-
-/// The ground has none.
-Outline outline_of(const Terrain& /*terrain*/) {
-  return {};
-}
-
-enum class ZoneKind : std::uint8_t { Obstacle, NoFly, Hidden };
-
-std::string zone_text(std::size_t number, ZoneKind kind, const Outline& outline) {
+std::string zone_text(std::size_t number, const figure::Outline& outline) {
   std::string text;
   for (const Vec2& corner : outline.corners_m) {
-    text += fmt::format("{},{:d},{},{},{},{},{:d}\n", number, kind == ZoneKind::NoFly ? 1 : 0, corner.x(), corner.y(),
-                        outline.heights_m.min, outline.heights_m.max, kind == ZoneKind::Hidden ? 1 : 0);
+    text += fmt::format("{},{:d},{},{},{},{},{:d}\n", number, outline.kind == figure::ZoneKind::NoFly ? 1 : 0,
+                        corner.x(), corner.y(), outline.heights_m.min, outline.heights_m.max,
+                        outline.kind == figure::ZoneKind::Hidden ? 1 : 0);
   }
   return text;
 }
@@ -147,15 +104,9 @@ void write_zones(const Scenario& scenario, const CurveFiles& files) {
   std::filesystem::create_directories(files.folder, error);
   if (error) throw CurvesNotWritten(fmt::format("cannot make {}: {}", files.folder.string(), error.message()));
   std::string text = "zone,no_fly,x_m,y_m,z_min_m,z_max_m,hidden\n";
-  const auto outline = [](const auto& shape) { return outline_of(shape); };
   std::size_t number = 0;
-  for (const Zone& zone : scenario.mission.zones) {
-    const ZoneKind kind = zone.no_fly ? ZoneKind::NoFly : ZoneKind::Obstacle;
-    text += zone_text(++number, kind, std::visit(outline, zone.shape));
-  }
-  for (const Obstacle& obstacle : scenario.world.hidden) {
-    text += zone_text(++number, ZoneKind::Hidden, std::visit(outline, obstacle.shape));
-  }
+  for (const Zone& zone : scenario.mission.zones) text += zone_text(++number, figure::outline_of(zone));
+  for (const Obstacle& obstacle : scenario.world.hidden) text += zone_text(++number, figure::outline_of(obstacle));
   write(files, "zones", text);
 }
 

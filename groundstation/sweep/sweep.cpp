@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "groundstation/sweep/curves.hpp"
+#include "groundstation/sweep/journal.hpp"
 #include "groundstation/sweep/table.hpp"
 #include "planner/rendezvous/point_separation.hpp"
 
@@ -27,7 +28,8 @@ Scenario reseeded(const Scenario& scenario, std::uint64_t seed) {
 }
 
 Scenario load(const SweepPlan& plan, const std::vector<Override>& set, std::uint64_t seed) {
-  ScenarioResult result = load_scenario(plan.scenario, set, seed);
+  ScenarioResult result =
+      plan.text.empty() ? load_scenario(plan.scenario, set, seed) : parse_scenario(plan.text, plan.scenario, set, seed);
   if (const auto* fault = std::get_if<ScenarioFault>(&result)) throw std::invalid_argument(fault->line());
   return std::get<Scenario>(std::move(result));
 }
@@ -130,6 +132,32 @@ Json figures_of(const Json& report) {
   return figures;
 }
 
+namespace {
+
+std::optional<SweepJournal> journal_of(const SweepPlan& plan, const std::vector<Scenario>& scenarios) {
+  if (plan.journal.empty()) return std::nullopt;
+  std::vector<std::uint64_t> hashes;
+  for (const Scenario& scenario : scenarios) hashes.push_back(scenario.scenario_hash);
+  return SweepJournal(plan.journal, hashes);
+}
+
+/// Takes what the journal has, but for the first run of a row, if that is to leave its curves. @return how many
+std::size_t take_done(const SweepPlan& plan, const SweepJournal& journal, std::vector<std::vector<Json>>& results) {
+  std::size_t taken = 0;
+  for (std::size_t row = 0; row < results.size(); ++row) {
+    for (std::size_t i = plan.curves.empty() ? 0 : 1; i < results[row].size(); ++i) {
+      const Json* run = journal.find(row, plan.first_seed + i);
+      if (run == nullptr) continue;
+      results[row][i] = *run;
+      ++taken;
+    }
+  }
+  if (plan.on_resume) plan.on_resume(taken);
+  return taken;
+}
+
+}  // namespace
+
 SweepResult run_sweep(const SweepPlan& plan) {
   const auto combinations = combinations_of(plan.keys);
   std::vector<Scenario> scenarios;
@@ -142,18 +170,21 @@ SweepResult run_sweep(const SweepPlan& plan) {
   for (std::size_t i = 0; i < curves.size(); ++i) write_zones(scenarios[i], curves[i]);
   const std::size_t total = combinations.size() * plan.runs;
   std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));
+  std::optional<SweepJournal> journal = journal_of(plan, scenarios);
+  std::size_t done = journal ? take_done(plan, *journal, results) : 0;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stopped{false};
   std::mutex mutex;
-  std::size_t done = 0;
   std::exception_ptr failure;
   const auto work = [&] {
     for (std::size_t job = next++; job < total && !stopped; job = next++) {
+      Json& run = results[job / plan.runs][job % plan.runs];
+      if (!run.is_null()) continue;
       try {
         const Scenario scenario = reseeded(scenarios[job / plan.runs], plan.first_seed + job % plan.runs);
         const bool traced = !curves.empty() && job % plan.runs == 0;
-        results[job / plan.runs][job % plan.runs] = run_of(
-            scenario, traced ? run_with_curves(scenario, curves[job / plan.runs]) : run_in_process(scenario, {}));
+        run = run_of(scenario,
+                     traced ? run_with_curves(scenario, curves[job / plan.runs]) : run_in_process(scenario, {}));
       } catch (...) {
         const std::lock_guard lock(mutex);
         failure = std::current_exception();
@@ -161,6 +192,13 @@ SweepResult run_sweep(const SweepPlan& plan) {
         return;
       }
       const std::lock_guard lock(mutex);
+      try {
+        if (journal) journal->add(job / plan.runs, run);
+      } catch (...) {
+        failure = std::current_exception();
+        stopped = true;
+        return;
+      }
       if (plan.on_progress) plan.on_progress(++done, total);
       if (plan.stop && plan.stop()) stopped = true;
     }

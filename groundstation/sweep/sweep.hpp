@@ -22,14 +22,17 @@ struct SweptKey {
 };
 
 struct SweepPlan {
-  std::string scenario;
+  std::string scenario;  ///< the file
+  std::string text;      ///< the scenario itself, if it is in no file: then `scenario` only names it in messages
   std::vector<SweptKey> keys;
   std::uint64_t first_seed = 0;
   std::uint32_t runs = 1;                                             ///< of each combination
   unsigned jobs = 1;                                                  ///< threads
   std::string curves;                                                 ///< folder for curves.hpp; empty for none
+  std::string journal;                                                ///< file of journal.hpp; empty for none
   std::function<bool()> stop;                                         ///< asked between runs; empty for never
   std::function<void(std::size_t done, std::size_t of)> on_progress;  ///< called in any thread, one at a time
+  std::function<void(std::size_t done)> on_resume;                    ///< once, of a journal: what was done before
 };
 
 struct SweepResult {
@@ -50,7 +53,7 @@ struct SweepResult {
 [[nodiscard]] nlohmann::ordered_json summary_of(std::vector<double> values);
 
 /// @throws std::invalid_argument with one line if a combination is not a valid scenario; CurvesNotWritten if curves
-/// cannot be, before the first run if the folder does not allow it.
+/// cannot be, before the first run if the folder does not allow it; JournalRefused.
 [[nodiscard]] SweepResult run_sweep(const SweepPlan& plan);
 
 }  // namespace skein

@@ -17,6 +17,8 @@
 
 #include "idl/bus/dds_participant.hpp"
 #include "idl/msg/beaconPubSubTypes.h"
+#include "idl/msg/commandPubSubTypes.h"
+#include "idl/msg/injectPubSubTypes.h"
 #include "idl/msg/missionPubSubTypes.h"
 #include "idl/msg/obstacle_mapPubSubTypes.h"
 #include "idl/msg/representativePubSubTypes.h"
@@ -29,34 +31,44 @@ template <typename Sample>
 struct Carried;
 template <>
 struct Carried<wire::Mission> {
-  using Type = v6::MissionPubSubType;
+  using Type = v7::MissionPubSubType;
   static constexpr TopicId kTopic = TopicId::Mission;
 };
 template <>
 struct Carried<wire::Tick> {
-  using Type = v6::TickPubSubType;
+  using Type = v7::TickPubSubType;
   static constexpr TopicId kTopic = TopicId::Tick;
 };
 template <>
 struct Carried<wire::Sense> {
-  using Type = v6::SensePubSubType;
+  using Type = v7::SensePubSubType;
   static constexpr TopicId kTopic = TopicId::Sense;
 };
 template <>
 struct Carried<wire::Beacon> {
-  using Type = v6::BeaconPubSubType;
+  using Type = v7::BeaconPubSubType;
   static constexpr TopicId kTopic = TopicId::Beacon;
 };
 template <>
 struct Carried<wire::Representative> {
-  using Type = v6::RepresentativePubSubType;
+  using Type = v7::RepresentativePubSubType;
   static constexpr TopicId kTopic = TopicId::Representative;
 };
 
 template <>
 struct Carried<wire::ObstacleMap> {
-  using Type = v6::ObstacleMapPubSubType;
+  using Type = v7::ObstacleMapPubSubType;
   static constexpr TopicId kTopic = TopicId::ObstacleMap;
+};
+template <>
+struct Carried<wire::Command> {
+  using Type = v7::CommandPubSubType;
+  static constexpr TopicId kTopic = TopicId::Command;
+};
+template <>
+struct Carried<wire::Inject> {
+  using Type = v7::InjectPubSubType;
+  static constexpr TopicId kTopic = TopicId::Inject;
 };
 
 template <typename Sample>

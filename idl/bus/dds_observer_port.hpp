@@ -1,23 +1,39 @@
-// The bus as one who has no part in a run sees it: the latched mission, ticks and beacons of one swarm.
+// The bus as one who has no part in a run sees it: the latched mission, ticks and beacons of one swarm, and on request
+// what agents share.
 //
-// Ticks and beacons are read best effort. An observer slows nobody: nothing waits for it, and it may come, hang and go
-// at any time. What it misses is gone.
+// All but the mission is read best effort. An observer slows nobody: nothing waits for it, and it may come, hang and go
+// at any time. What it misses is gone. What the world tells one agent alone (sense) is not read.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "idl/bus/dds_port.hpp"
+#include "idl/bus/topics.hpp"
 
 namespace skein::bus {
 
-using ObserverInbound = std::variant<wire::Mission, wire::Tick, wire::Beacon>;
+using ObserverInbound = std::variant<wire::Mission, wire::Tick, wire::Beacon, wire::Representative, wire::ObstacleMap>;
+
+enum class Observed : std::uint8_t {
+  Progress,  ///< mission, ticks and beacons
+  Shared,    ///< representatives and obstacle maps too
+};
+
+/// Who writes and reads a topic of the swarm, as discovery says; this process is not counted.
+struct TopicEndpoints {
+  std::uint32_t writers = 0;
+  std::uint32_t readers = 0;
+};
 
 class DdsObserverPort {
  public:
   /// An observer of swarm `config.swarm`. Throws as DdsAgentPort does.
-  explicit DdsObserverPort(const DdsConfig& config);
+  explicit DdsObserverPort(const DdsConfig& config, Observed what = Observed::Progress);
   ~DdsObserverPort();
   DdsObserverPort(const DdsObserverPort&) = delete;
   DdsObserverPort& operator=(const DdsObserverPort&) = delete;
@@ -30,6 +46,12 @@ class DdsObserverPort {
   [[nodiscard]] int wake_fd() const;
   /// Whether a world of the swarm is there.
   [[nodiscard]] bool has_world() const;
+  /// Why nothing of the swarm can be read, in one line: its world has another wire version.
+  [[nodiscard]] std::optional<std::string> conflict() const;
+  /// By TopicId.
+  [[nodiscard]] std::array<TopicEndpoints, kTopics.size()> endpoints() const;
+  /// Samples that came faster than they were taken.
+  [[nodiscard]] std::uint64_t lost() const;
 
  private:
   struct Impl;

@@ -32,6 +32,8 @@ struct Endpoints {
         representative_out(participant, publisher, book, wake),
         map_in(participant, subscriber, book, wake, inbox, Ring::Silent),
         map_out(participant, publisher, book, wake),
+        command(participant, subscriber, book, wake, inbox, Ring::Now),
+        inject(participant, subscriber, book, wake, inbox, Ring::Now),
         mission(participant, publisher, book, wake),
         tick(participant, publisher, book, wake) {
     for (const AgentId agent : agents) {
@@ -51,6 +53,8 @@ struct Endpoints {
   Writer<wire::Representative> representative_out;
   Reader<wire::ObstacleMap, WorldInbound> map_in;
   Writer<wire::ObstacleMap> map_out;
+  Reader<wire::Command, WorldInbound> command;
+  Reader<wire::Inject, WorldInbound> inject;
   Writer<wire::Mission> mission;
   Writer<wire::Tick> tick;
   std::map<AgentId, Writer<wire::Sense>> sense;

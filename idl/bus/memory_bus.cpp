@@ -92,6 +92,11 @@ class MemoryBus::Hub {
     }
   }
 
+  template <typename Published>
+  void tap(AgentId from, const Published& published) const {
+    if (tap_) std::visit([&](const auto& sample) { tap_(from, wire::Sample(sample)); }, published);
+  }
+
   std::vector<std::uint64_t> all_but(std::uint64_t nonce) const {
     std::vector<std::uint64_t> others;
     others.reserve(nonces_.size());
@@ -104,6 +109,7 @@ class MemoryBus::Hub {
   std::vector<std::uint64_t> nonces_;  // ascending, the world's included
   std::unique_ptr<wire::Mission> latched_;
   Tamper tamper_;
+  Tap tap_;
   std::uint64_t overflowed_ = 0;  // of ports that are gone
 };
 
@@ -165,6 +171,7 @@ void MemoryBus::Hub::detach(Agent& agent) {
 }
 
 void MemoryBus::Hub::Agent::publish(const AgentOutbound& sample) {
+  hub_.tap(id, sample);
   if (const auto* beacon = std::get_if<wire::Beacon>(&sample)) {
     hub_.deliver(id, kWorldId, *hub_.world_, *beacon);
     return;
@@ -183,6 +190,7 @@ void MemoryBus::Hub::Agent::publish(const AgentOutbound& sample) {
 }
 
 void MemoryBus::Hub::World::publish(const WorldOutbound& sample) {
+  hub_.tap(kWorldId, sample);
   if (const auto* mission = std::get_if<wire::Mission>(&sample)) {
     hub_.latched_ = std::make_unique<wire::Mission>(*mission);
   }
@@ -214,6 +222,10 @@ std::unique_ptr<AgentPort> MemoryBus::attach(AgentId id, std::uint64_t nonce) {
 
 void MemoryBus::set_tamper(Tamper tamper) {
   hub_->tamper_ = std::move(tamper);
+}
+
+void MemoryBus::set_tap(Tap tap) {
+  hub_->tap_ = std::move(tap);
 }
 
 std::uint64_t MemoryBus::overflowed() const {

@@ -32,6 +32,9 @@ struct Transit {
 /// alters it, held_takes delays it past later ones. `to` of what it returns is ignored.
 using Tamper = std::function<std::vector<Transit>(Transit)>;
 
+/// Sees every sample once, as it is published, before it is in transit. `from`: kWorldId is the world.
+using Tap = std::function<void(AgentId from, const wire::Sample& sample)>;
+
 class MemoryBus {
  public:
   /// The world's port exists from the start, under this nonce.
@@ -49,6 +52,7 @@ class MemoryBus {
 
   /// From now on; an empty function ends it.
   void set_tamper(Tamper tamper);
+  void set_tap(Tap tap);
 
   /// Samples lost because an inbox was full.
   [[nodiscard]] std::uint64_t overflowed() const;

@@ -14,9 +14,10 @@ bool is_counted(Role own, Role peer) {
 }
 
 std::optional<std::string> conflict_between(const PeerInfo& own, const PeerInfo& world) {
-  if (own.role == Role::Agent && world.wire_version != own.wire_version) {
+  if (own.role != Role::World && world.wire_version != own.wire_version) {
     return "the world of swarm '" + own.swarm + "' speaks wire version " + std::to_string(world.wire_version) +
-           ", this agent version " + std::to_string(own.wire_version);
+           (own.role == Role::Agent ? ", this agent version " : ", this observer version ") +
+           std::to_string(own.wire_version);
   }
   const bool earlier = std::tie(world.start_stamp_ns, world.nonce) < std::tie(own.start_stamp_ns, own.nonce);
   const bool predecessor = own.run != 0 && world.run == own.run;  // it died, and DDS has not noticed yet
@@ -107,6 +108,18 @@ bool PeerBook::observed() const {
     if (peer.info && peer.info->role != Role::Observer) return false;
     return std::ranges::any_of(peer.found, [&](const auto& endpoint) { return endpoint.second == ticks; });
   });
+}
+
+std::array<std::uint32_t, 2 * kTopics.size()> PeerBook::endpoints(const ProcessKey& own) const {
+  std::array<std::uint32_t, 2 * kTopics.size()> counts{};
+  const std::lock_guard lock(mutex_);
+  const auto alive = newest();
+  for (const auto& [process, peer] : peers_) {
+    if (process == own || (peer.info && (peer.info->nonce == own_.nonce || alive.at(peer.info->nonce) != &peer)))
+      continue;
+    for (const auto& [entity, bit] : peer.found) ++counts[bit];
+  }
+  return counts;
 }
 
 std::optional<std::string> PeerBook::conflict() const {

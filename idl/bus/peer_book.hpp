@@ -58,9 +58,13 @@ class PeerBook {
   /// Whether somebody who has no part in a run reads this process's ticks.
   [[nodiscard]] bool observed() const;
 
-  /// Why this process must not take part, in one line, or nothing. For an agent: a world of its swarm has another wire
-  /// version. For a world: another world of its swarm, with another run, started earlier (the lower nonce, if at the
-  /// same time).
+  /// How many counterparts of each endpoint of this process (the bits of endpoint_bit) all others have, whether or not
+  /// this process has that endpoint. @param own this process, whose own endpoints DDS tells of as well
+  [[nodiscard]] std::array<std::uint32_t, 2 * kTopics.size()> endpoints(const ProcessKey& own) const;
+
+  /// Why this process must not take part, in one line, or nothing. For an agent or an observer: a world of its swarm
+  /// has another wire version. For a world: another world of its swarm, with another run, started earlier (the lower
+  /// nonce, if at the same time).
   [[nodiscard]] std::optional<std::string> conflict() const;
 
   /// The swarms of the processes that are there, ascending, each once; `with_world` leaves out those without a world.

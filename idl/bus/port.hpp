@@ -15,7 +15,7 @@ namespace skein::bus {
 
 using AgentInbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative, wire::ObstacleMap>;
 using AgentOutbound = std::variant<wire::Representative, wire::ObstacleMap, wire::Beacon>;
-using WorldInbound = std::variant<wire::Beacon, wire::Representative, wire::ObstacleMap>;
+using WorldInbound = std::variant<wire::Beacon, wire::Representative, wire::ObstacleMap, wire::Command, wire::Inject>;
 using WorldOutbound = std::variant<wire::Mission, wire::Tick, wire::Sense, wire::Representative, wire::ObstacleMap>;
 
 /// For AgentPort::wake_after: no sample before the next tick.

@@ -17,7 +17,16 @@ enum class Role : std::uint8_t { Observer = 0, World = 1, Agent = 2 };
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(role));
 }
 
-enum class TopicId : std::uint8_t { Mission = 0, Tick = 1, Sense = 2, Beacon = 3, Representative = 4, ObstacleMap = 5 };
+enum class TopicId : std::uint8_t {
+  Mission = 0,
+  Tick = 1,
+  Sense = 2,
+  Beacon = 3,
+  Representative = 4,
+  ObstacleMap = 5,
+  Command = 6,
+  Inject = 7
+};
 
 struct TopicSpec {
   TopicId id;
@@ -41,18 +50,22 @@ inline constexpr std::uint8_t kWorldRole = role_bit(Role::World);
 inline constexpr std::uint8_t kAgentRole = role_bit(Role::Agent);
 inline constexpr std::uint8_t kObserverRole = role_bit(Role::Observer);
 
-inline constexpr std::array<TopicSpec, 6> kTopics{{
-    {TopicId::Mission, "skein/mission", "skein::v6::Mission", false, true, 1, false, kHeartbeat_s, kWorldRole,
+inline constexpr std::array<TopicSpec, 8> kTopics{{
+    {TopicId::Mission, "skein/mission", "skein::v7::Mission", false, true, 1, false, kHeartbeat_s, kWorldRole,
      kAgentRole | kObserverRole},
-    {TopicId::Tick, "skein/tick", "skein::v6::Tick", false, false, 16, false, kHeartbeat_s, kWorldRole,
+    {TopicId::Tick, "skein/tick", "skein::v7::Tick", false, false, 16, false, kHeartbeat_s, kWorldRole,
      kAgentRole | kObserverRole},
-    {TopicId::Sense, "skein/sense", "skein::v6::Sense", true, false, 16, true, kHeartbeat_s, kWorldRole, kAgentRole},
-    {TopicId::Beacon, "skein/beacon", "skein::v6::Beacon", true, false, 16, false, kHeartbeat_s, kAgentRole,
+    {TopicId::Sense, "skein/sense", "skein::v7::Sense", true, false, 16, true, kHeartbeat_s, kWorldRole, kAgentRole},
+    {TopicId::Beacon, "skein/beacon", "skein::v7::Beacon", true, false, 16, false, kHeartbeat_s, kAgentRole,
      kWorldRole | kObserverRole},
-    {TopicId::Representative, "skein/representative", "skein::v6::Representative", true, false, 16, false,
+    {TopicId::Representative, "skein/representative", "skein::v7::Representative", true, false, 16, false,
      kSlowHeartbeat_s, kAgentRole | kWorldRole, kAgentRole | kWorldRole},
-    {TopicId::ObstacleMap, "skein/obstacle_map", "skein::v6::ObstacleMap", true, false, 16, false, kSlowHeartbeat_s,
+    {TopicId::ObstacleMap, "skein/obstacle_map", "skein::v7::ObstacleMap", true, false, 16, false, kSlowHeartbeat_s,
      kAgentRole | kWorldRole, kAgentRole | kWorldRole},
+    {TopicId::Command, "skein/command", "skein::v7::Command", false, false, 16, false, kHeartbeat_s, kObserverRole,
+     kWorldRole},
+    {TopicId::Inject, "skein/inject", "skein::v7::Inject", false, false, 16, false, kHeartbeat_s, kObserverRole,
+     kWorldRole},
 }};
 
 [[nodiscard]] constexpr const TopicSpec& topic(TopicId id) {

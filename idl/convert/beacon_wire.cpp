@@ -26,6 +26,7 @@ void check_origin(Checker& check, const wire::Beacon& sample) {
 void check_lists(Checker& check, const wire::Beacon& sample) {
   check.size_at_most(sample.matched().size(), wire::kMaxMatched, "beacon.matched");
   check.size_at_most(sample.needs().size(), wire::kMaxNeeds, "beacon.needs");
+  check.size_at_most(sample.acknowledged().size(), wire::kMaxOrders, "beacon.acknowledged");
   if (!check.ok()) return;
   check.require(ascends(sample.matched()), WireFaultReason::BadOrder, "beacon.matched");
   for (const wire::Lack& lack : sample.needs()) {
@@ -35,7 +36,7 @@ void check_lists(Checker& check, const wire::Beacon& sample) {
 }
 
 void check_state(Checker& check, const wire::Beacon& sample) {
-  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Replanning, "beacon.mode");
+  check.enumerator(sample.mode(), AgentMode::Waiting, AgentMode::Landed, "beacon.mode");
   check.enumerator(sample.failing(), Constraint::None, Constraint::Terrain, "beacon.failing");
   if (sample.failing_peer() != 0) check.agent(sample.failing_peer(), "beacon.failing_peer");
   check.pose(sample.own(), "beacon.own");
@@ -83,7 +84,9 @@ wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp) {
   out.safety_reason(static_cast<std::uint8_t>(beacon.safety_reason));
   out.deviation_m(beacon.deviation_m);
   out.predicted_separation_m(beacon.predicted_separation_m);
+  require_bound(beacon.acknowledged.size(), wire::kMaxOrders, "beacon.acknowledged");
   out.state_hash(beacon.state_hash);
+  out.acknowledged(beacon.acknowledged);
   return out;
 }
 
@@ -123,6 +126,7 @@ Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context
   out.deviation_m = sample.deviation_m();
   out.predicted_separation_m = sample.predicted_separation_m();
   out.state_hash = sample.state_hash();
+  out.acknowledged = sample.acknowledged();
   return out;
 }
 

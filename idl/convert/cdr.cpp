@@ -45,11 +45,15 @@ template Bytes to_cdr(const wire::Sense&);
 template Bytes to_cdr(const wire::Representative&);
 template Bytes to_cdr(const wire::ObstacleMap&);
 template Bytes to_cdr(const wire::Beacon&);
+template Bytes to_cdr(const wire::Command&);
+template Bytes to_cdr(const wire::Inject&);
 template std::optional<wire::Mission> from_cdr(std::span<const std::uint8_t>);
 template std::optional<wire::Tick> from_cdr(std::span<const std::uint8_t>);
 template std::optional<wire::Sense> from_cdr(std::span<const std::uint8_t>);
 template std::optional<wire::Representative> from_cdr(std::span<const std::uint8_t>);
 template std::optional<wire::ObstacleMap> from_cdr(std::span<const std::uint8_t>);
 template std::optional<wire::Beacon> from_cdr(std::span<const std::uint8_t>);
+template std::optional<wire::Command> from_cdr(std::span<const std::uint8_t>);
+template std::optional<wire::Inject> from_cdr(std::span<const std::uint8_t>);
 
 }  // namespace skein

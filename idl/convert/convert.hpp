@@ -34,13 +34,15 @@ struct WireContext {
   std::optional<CellGrid> grid{};  ///< that the cells and tiles of an obstacle map must be in, if given
 };
 
-/// @throws std::invalid_argument if a list or text is longer than its bound on the wire (all six).
+/// @throws std::invalid_argument if a list or text is longer than its bound on the wire (any of them).
 [[nodiscard]] wire::Mission to_wire(const Mission& mission, const Stamp& stamp);
 [[nodiscard]] wire::Tick to_wire(const Tick& tick, const Stamp& stamp);
 [[nodiscard]] wire::Sense to_wire(const Sense& sense, const Stamp& stamp);
 [[nodiscard]] wire::Representative to_wire(const Representative& representative, const Stamp& stamp);
 [[nodiscard]] wire::ObstacleMap to_wire(const ObstacleMapSample& map, const Stamp& stamp);
 [[nodiscard]] wire::Beacon to_wire(const Beacon& beacon, const Stamp& stamp);
+[[nodiscard]] wire::Command to_wire(const Command& command, const Stamp& stamp);
+[[nodiscard]] wire::Inject to_wire(const Inject& inject, const Stamp& stamp);
 
 /// The mission's run is `sample.head().run()`; `known` and `roster` are not used, for the mission itself says who is.
 [[nodiscard]] Checked<Mission> from_wire(const wire::Mission& sample, const WireContext& context);
@@ -51,5 +53,8 @@ struct WireContext {
 [[nodiscard]] Checked<ObstacleMapSample> from_wire(const wire::ObstacleMap& sample, const WireContext& context);
 /// An introduction (incarnation 0) passes the roster check.
 [[nodiscard]] Checked<Beacon> from_wire(const wire::Beacon& sample, const WireContext& context);
+/// Whether the mission has the agent, the world says in its answer: `known` is not used.
+[[nodiscard]] Checked<Command> from_wire(const wire::Command& sample, const WireContext& context);
+[[nodiscard]] Checked<Inject> from_wire(const wire::Inject& sample, const WireContext& context);
 
 }  // namespace skein

@@ -1,5 +1,6 @@
 #include "idl/convert/checker.hpp"
 #include "idl/convert/limits.hpp"
+#include "idl/convert/orders_wire.hpp"
 #include "idl/convert/parts.hpp"
 
 namespace skein {
@@ -54,6 +55,8 @@ wire::Tick to_wire(const Tick& tick, const Stamp& stamp) {
     out.exit_code(tick.outcome->exit_code);
     out.reason(tick.outcome->reason);
   }
+  out.commands(wire_orders(tick.orders));
+  out.answers(wire_answers(tick.answers));
   return out;
 }
 
@@ -73,6 +76,8 @@ Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context) {
     check.enumerator(refusal.reason(), RefusalReason::IdInUse, RefusalReason::RunStarted, "tick.refused.reason");
   }
   for (const wire::GivenId& given : sample.given()) check.agent(given.agent(), "tick.given.agent");
+  check_orders(check, sample.commands());
+  check_answers(check, sample.answers());
   if (!check.ok()) return check.fault();
 
   Tick out;
@@ -91,6 +96,8 @@ Checked<Tick> from_wire(const wire::Tick& sample, const WireContext& context) {
   }
   for (const wire::GivenId& given : sample.given()) out.assigned.push_back({given.nonce(), given.agent()});
   out.world_hash = sample.world_hash();
+  out.orders = plain_orders(sample.commands());
+  out.answers = plain_answers(sample.answers());
   if (out.phase == Phase::Finished) out.outcome = Outcome{sample.exit_code(), sample.reason().to_string()};
   return out;
 }

@@ -66,6 +66,12 @@ std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::CallForVersion& help) {
     return app.exit(help);
+  } catch (const CLI::RequiredError& error) {
+    // a verb that there is not is no verb at all: what was given instead says more
+    const std::vector<std::string> unknown = app.remaining();
+    const std::string what = unknown.empty() ? error.what() : fmt::format("'{}' is not known", unknown.front());
+    std::cerr << app.get_name() << ": " << what << " (see --help)\n";
+    return 2;
   } catch (const CLI::ParseError& error) {
     std::cerr << app.get_name() << ": " << error.what() << " (see --help)\n";
     return 2;

@@ -63,12 +63,16 @@ class Taker {
   }
   template <typename Value, typename Wire>
   void sample(std::optional<Value>& into) {
+    sample<Value, Wire>(into, context_);
+  }
+  template <typename Value, typename Wire>
+  void sample(std::optional<Value>& into, const WireContext& context) {
     const auto bytes = take(count(1));
     if (bytes.empty()) return;
     const std::optional<Wire> wire = from_cdr<Wire>(bytes);
     good_ = good_ && wire.has_value();
     if (!good_) return;
-    Checked<Value> checked = from_wire(*wire, context_);
+    Checked<Value> checked = from_wire(*wire, context);
     good_ = checked.ok();
     if (good_) into = std::move(checked).value();
   }
@@ -111,6 +115,31 @@ std::vector<RosterEntry> take_entries(Taker& taker) {
   return entries;
 }
 
+void put_steered(Bytes& into, const Steered& steered) {
+  put_number(into, static_cast<std::uint32_t>(steered.orders.size()));
+  for (const Order& order : steered.orders) put_sample(into, std::optional(Command{0, order, 0.0}));
+  put_number(into, static_cast<std::uint32_t>(steered.injections.size()));
+  for (const Injection& injection : steered.injections) put_sample(into, std::optional(Inject{0, injection, 0.0}));
+}
+
+void take_steered(Taker& taker, Steered& steered) {
+  const WireContext any_run;
+  steered.orders.resize(taker.count(4));
+  for (Order& order : steered.orders) {
+    std::optional<Command> command;
+    taker.sample<Command, wire::Command>(command, any_run);
+    if (!command) return taker.refuse();
+    order = command->order;
+  }
+  steered.injections.resize(taker.count(4));
+  for (Injection& injection : steered.injections) {
+    std::optional<Inject> inject;
+    taker.sample<Inject, wire::Inject>(inject, any_run);
+    if (!inject) return taker.refuse();
+    injection = inject->injection;
+  }
+}
+
 }  // namespace
 
 Bytes to_bytes(const RoundInputs& inputs) {
@@ -125,6 +154,7 @@ Bytes to_bytes(const RoundInputs& inputs) {
     put_number(bytes, static_cast<std::uint8_t>(loss.reason));
   }
   put_entries(bytes, inputs.back);
+  put_steered(bytes, inputs.steered);
   put_number(bytes, static_cast<std::uint32_t>(inputs.answers.size()));
   for (const Answer& answer : inputs.answers) {
     put_sample(bytes, answer.beacon);
@@ -148,6 +178,7 @@ std::optional<RoundInputs> round_inputs_from(std::span<const std::uint8_t> bytes
     if (loss.reason > LossReason::Rejoined) taker.refuse();
   }
   inputs.back = take_entries(taker);
+  take_steered(taker, inputs.steered);
   inputs.answers.resize(taker.count(12));
   for (Answer& answer : inputs.answers) {
     taker.sample<Beacon, wire::Beacon>(answer.beacon);

@@ -2,6 +2,7 @@
 //
 // world -> launcher:  {"launch": IDS}, {"kill": ID}, {"stop": ID}, {"cont": ID}, {"restart": ID}, {"progress": {...}}
 // launcher -> world:  {"started": IDS, "pid": PID}, {"stopped": ID}, {"ended": IDS, "pid": PID, "status": STATUS}
+//                     {"recorded": ROUND, "lacking": IDS}: what the recorder has of the round; {"unrecorded": REASON}
 // IDS is the list of the agents of a process (of `launch`: of all that shall run); all of them end at once.
 // Messages keep their boundaries (SOCK_SEQPACKET); both ends see it at once when the other is gone.
 #pragma once

@@ -46,6 +46,11 @@ class Interventions {
 
   /// Who is told of each fault before it is carried out; nullptr for nobody.
   void set_recorder(Recorder* recorder) { recorder_ = recorder; }
+  /// Whether there is anybody who acts on processes.
+  [[nodiscard]] bool can_act() const { return control_ != nullptr; }
+  [[nodiscard]] bool is_ended(AgentId agent) const { return process_of(agent) == Process::Ended; }
+  /// One more. @pre can_act()
+  void add(const Fault& fault) { faults_.push_back(fault); }
   /// The fault was carried out for a world that has died since.
   void forget(const Fault& fault);
 

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "idl/wire.hpp"
+#include "planner/core/lockstep/names.hpp"
 #include "simworld/lockstep/world_session.hpp"
 
 namespace skein {
@@ -15,6 +16,12 @@ std::string unused_of(const WorldSession& session) {
   for (const RosterChange& change : session.unused_changes()) {
     text += fmt::format("; the {} of agent {} at round {} never took place",
                         change.reason == LossReason::Rejoined ? "return" : "loss", change.agent, change.round);
+  }
+  for (const OrderedAt& order : session.desk().unused_orders()) {
+    text += fmt::format("; the {} of round {} never took place", name_of(order.order.kind), order.round);
+  }
+  for (const InjectedAt& injected : session.desk().unused_injections()) {
+    text += fmt::format("; the obstacle of round {} never took place", injected.round);
   }
   return text;
 }

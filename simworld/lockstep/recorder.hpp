@@ -45,6 +45,7 @@ struct RoundInputs {
   std::vector<RosterEntry> roster;  ///< of the start: who takes part
   std::vector<Loss> lost;           ///< with the next tick
   std::vector<RosterEntry> back;    ///< with the next tick
+  Steered steered;                  ///< what takes effect with the next tick
   std::vector<Answer> answers;      ///< those with a beacon, by ascending agent
   SessionFigures figures;
 };

@@ -39,11 +39,13 @@ Run::Run(std::uint64_t run, const Mission& mission, const WorldOptions& options,
   map_watch_.emplace(mission);
 }
 
-Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost, std::span<const RosterEntry> back) {
+Tick Run::begin(std::vector<RosterEntry> roster, std::span<const Loss> lost, std::span<const RosterEntry> back,
+                const Steered& steered) {
   roster_ = std::move(roster);
   phase_ = Phase::Planning;
-  round_ = 1;
   drop(lost);
+  steer(steered);
+  round_ = 1;
   admit(back);
   date_changes(0);
   return compose(nullptr);
@@ -59,12 +61,14 @@ Moment Run::next(const Barrier& answers, std::span<const Loss> lost) const {
   return ready ? Moment{Phase::Flying, 1} : Moment{Phase::Planning, round_ + 1};
 }
 
-Tick Run::decide(const Barrier& answers, std::span<const Loss> lost, std::span<const RosterEntry> back) {
+Tick Run::decide(const Barrier& answers, std::span<const Loss> lost, std::span<const RosterEntry> back,
+                 const Steered& steered) {
   if (phase_ != Phase::Planning && phase_ != Phase::Flying) throw std::logic_error("no round is open");
   const std::size_t known = changes_.size();
   const Opened open{phase_, step_, round_};
   drop(lost);
   plan_watch_.add(open, answers, roster_);
+  note_acknowledged(answers);
   if (step_ == 0 && phase_ == Phase::Planning) {
     decide_planning(answers);
   } else if (!finished()) {
@@ -75,6 +79,7 @@ Tick Run::decide(const Barrier& answers, std::span<const Loss> lost, std::span<c
       decide_aloft();
     }
   }
+  steer(steered);
   admit(back);
   fold_hash(answers);
   ++round_;
@@ -191,6 +196,7 @@ Tick Run::compose(const Barrier* answers) const {
     entry.sense = phase_ == Phase::Flying;
   }
   tick.world_hash = hash_;
+  tick.orders = orders_;
   return tick;
 }
 

@@ -23,6 +23,7 @@
 #include "simworld/lockstep/map_watch.hpp"
 #include "simworld/lockstep/plan_watch.hpp"
 #include "simworld/lockstep/radio_log.hpp"
+#include "simworld/lockstep/steered.hpp"
 #include "simworld/scenario/scenario.hpp"
 #include "simworld/world/world.hpp"
 
@@ -63,7 +64,7 @@ class Run {
   /// The tick of round 1. @pre `roster` holds every vehicle's agent, ascending; some may be `lost` already.
   /// @param back comes back at once, though lost (see decide).
   [[nodiscard]] Tick begin(std::vector<RosterEntry> roster, std::span<const Loss> lost = {},
-                           std::span<const RosterEntry> back = {});
+                           std::span<const RosterEntry> back = {}, const Steered& steered = {});
 
   /// When the next tick will be, as far as the answers tell without those of `lost`.
   [[nodiscard]] Moment next(const Barrier& answers, std::span<const Loss> lost) const;
@@ -71,7 +72,17 @@ class Run {
   /// Decides the open round and gives the next tick. @param back agents that the next tick names again, under a new
   /// incarnation; without effect if this round ends the run.
   /// @pre every agent of the roster that is not in `lost` has answered; `back` are not of the roster without `lost`.
-  [[nodiscard]] Tick decide(const Barrier& answers, std::span<const Loss> lost, std::span<const RosterEntry> back = {});
+  /// @param steered orders to which there is no objection, and obstacles: they take effect with the next tick
+  [[nodiscard]] Tick decide(const Barrier& answers, std::span<const Loss> lost, std::span<const RosterEntry> back = {},
+                            const Steered& steered = {});
+
+  /// Why an order cannot take effect with the next tick, if so, when `lost` are dropped with it.
+  [[nodiscard]] std::optional<Objection> objection(const Order& order, std::span<const Loss> lost) const;
+  /// Which orders of the open round its answers acknowledge. decide() does so; once more for the last round.
+  void note_acknowledged(const Barrier& answers);
+  /// Orders and obstacles that took effect so far, by round.
+  [[nodiscard]] const std::vector<OrderRecord>& orders() const { return order_log_; }
+  [[nodiscard]] const std::vector<InjectionRecord>& injections() const { return injection_log_; }
 
   /// What the agent of an entry of the newest tick senses with that tick.
   [[nodiscard]] Sense sense_of(const RosterEntry& entry) const;
@@ -123,6 +134,10 @@ class Run {
   void note_spread(const Barrier& answers);
   void fold_hash(const Barrier& answers);
   void finish(std::string failure);
+  void steer(const Steered& steered);
+  void count_commanded(const Barrier& answers);
+  [[nodiscard]] std::uint32_t step_limit() const;
+  [[nodiscard]] std::string out_of_steps() const;
   [[nodiscard]] Tick compose(const Barrier* answers) const;
   [[nodiscard]] std::string mission_failure() const;
 
@@ -151,6 +166,11 @@ class Run {
   std::uint32_t rounds_in_step_ = 1;
   std::uint32_t planning_left_ = 0;  ///< planning rounds of the open step that are not decided yet
   std::uint32_t replan_rounds_ = 0;
+  std::vector<Order> orders_;  ///< of the open round
+  std::vector<OrderRecord> order_log_;
+  std::vector<InjectionRecord> injection_log_;
+  std::vector<AgentId> commanded_;     ///< who flew the last step by command
+  std::uint32_t commanded_steps_ = 0;  ///< in which anybody did
 };
 
 }  // namespace skein

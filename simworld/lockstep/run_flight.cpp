@@ -14,6 +14,11 @@ NavStatus given_up(AgentMode mode) {
   return mode == AgentMode::Deadlock ? NavStatus::Deadlock : NavStatus::Flying;
 }
 
+/// Where it passes by its slot, it does not arrive.
+bool is_off_mission(AgentMode mode) {
+  return mode == AgentMode::Holding || mode == AgentMode::GoingTo || mode == AgentMode::Landing;
+}
+
 }  // namespace
 
 bool Run::replans() const {
@@ -75,19 +80,21 @@ void Run::decide_flight(const Barrier& answers) {
   commands.reserve(roster_.size());
   for (const RosterEntry& entry : roster_) {
     const Beacon& beacon = beacon_of(answers, entry.agent);
-    commands.push_back({entry.agent, beacon.commanded_velocity_mps, beacon.mode == AgentMode::Arrived});
+    commands.push_back({entry.agent, beacon.commanded_velocity_mps, beacon.mode == AgentMode::Arrived,
+                        beacon.mode == AgentMode::Landed, is_off_mission(beacon.mode)});
     if (mission_.transit) world_.note_given_up(entry.agent, given_up(beacon.mode));
     const bool flies_on = replans() || (mission_.transit && mission_.transit->planner.name == kStraight);
     if (flies_on && beacon.mode == AgentMode::Flying) world_.take_up(entry.agent);
   }
+  count_commanded(answers);
   world_.advance(step_, commands);
   if (radio_) log_radio(answers);
   steps_flown_ = step_;
   ended_steps_ = world_.all_ended() && !awaits_plan(answers) ? ended_steps_ + 1 : 0;
   if (ended_steps_ > options_.extra_steps) {
     finish("");
-  } else if (step_ >= options_.max_steps) {
-    finish(fmt::format("the flight did not end within world.max_steps = {} steps", options_.max_steps));
+  } else if (step_ >= step_limit()) {
+    finish(out_of_steps());
   } else {
     ++step_;
     rounds_in_step_ = anybody_replans(answers) ? rounds_per_step() : 1;

@@ -66,7 +66,10 @@ std::string transit_failure(const World& world) {
   bool any = false;
   for (const VehicleRecord& vehicle : world.vehicles()) {
     any = any || vehicle.status == VehicleStatus::Arrived;
-    if (vehicle.status != VehicleStatus::Unreachable && vehicle.status != VehicleStatus::Deadlock) continue;
+    if (vehicle.status != VehicleStatus::Unreachable && vehicle.status != VehicleStatus::Deadlock &&
+        vehicle.status != VehicleStatus::Landed) {
+      continue;
+    }
     missing += fmt::format("{}vehicle {}: {}", missing.empty() ? "" : ", ", vehicle.spec.id, name_of(vehicle.status));
   }
   return missing.empty() && !any ? "no vehicle arrived" : missing;
@@ -81,6 +84,7 @@ std::string Run::mission_failure() const {
   double last_s = 0.0;
   bool any = false;
   for (const VehicleRecord& vehicle : world_.vehicles()) {
+    if (vehicle.status == VehicleStatus::Landed) return fmt::format("vehicle {} landed by command", vehicle.spec.id);
     if (vehicle.status == VehicleStatus::Missed) return fmt::format("vehicle {} missed its slot", vehicle.spec.id);
     if (vehicle.status != VehicleStatus::Arrived) continue;
     first_s = any ? std::min(first_s, vehicle.arrival_time_s) : vehicle.arrival_time_s;

@@ -28,7 +28,9 @@ WorldSession::WorldSession(const Scenario& scenario, SessionOptions options, bus
       pacer_(options_.pace, scenario.mission.step_s),
       run_(options_.run, scenario.mission, scenario.world, options_.fail_fast),
       admission_(options_.run, options_.nonce, ids_of(scenario.mission), deadline_s_),
-      interventions_(std::move(options_.faults), std::move(options_.replay), control) {
+      interventions_(std::move(options_.faults), std::move(options_.replay), control),
+      desk_(std::move(options_.orders), std::move(options_.injections)),
+      gate_(options_.recorded) {
   times_.created_s = now_s;
   tick_.run = options_.run;
   interventions_.set_recorder(options_.recorder);
@@ -145,7 +147,7 @@ void WorldSession::repeat(const Repeated& samples, double now_s) {
 void WorldSession::poll_running(double now_s) {
   if (now_s < pause_until_s_) return;
   drop_silent(now_s);
-  const bool paused = barrier_.complete() && !pacer_.may_open(now_s);
+  const bool paused = barrier_.complete() && (!pacer_.may_open(now_s) || !is_recorded(now_s));
   if (!paused && (interventions_.holding() || barrier_.complete())) {
     if (!is_held(now_s)) return advance(now_s);
     if (!interventions_.awaits_return()) return;  // who is to come back must hear that it was dropped
@@ -155,7 +157,9 @@ void WorldSession::poll_running(double now_s) {
 }
 
 void WorldSession::poll_closing(double now_s) {
-  if (barrier_.complete() || now_s - times_.finished_s > kGoodbye_s) {
+  desk_.refuse([](const Order*) { return Objection{OrderResult::Ended, "the run is over"}; }, now_s);
+  if ((barrier_.complete() && is_recorded(now_s)) || now_s - times_.finished_s > kGoodbye_s) {
+    run_.note_acknowledged(barrier_);
     state_ = State::Done;
   } else if (now_s - last_sent_s_ >= kWaitingTick_s) {
     repeat_tick(now_s);
@@ -203,6 +207,7 @@ bool WorldSession::is_held(double now_s) {
   }
   for (bool busy = true; busy;) {
     const Moment moment = run_.rounds() == 0 ? Moment{Phase::Planning, 1} : run_.next(barrier_, lost_);
+    take_faults(moment, now_s);
     busy = interventions_.holding();
     busy = interventions_.carry_out(
                moment, [this](AgentId agent) { return is_live(agent); }, now_s) ||
@@ -227,12 +232,6 @@ void WorldSession::find_returning(double now_s) {
   }
   back_ = admission_.returning(world_matched_, live, now_s);
   std::erase_if(back_, [this](const RosterEntry& entry) { return !interventions_.may_return(entry.agent); });
-}
-
-void WorldSession::advance(double now_s) {
-  record_round(now_s);
-  repeats_.keep(barrier_, tick_);
-  go_on(run_.decide(barrier_, std::exchange(lost_, {}), back_), now_s);
 }
 
 /// Opens `next`. Who comes back with it has not heard the samples that it counts: they go out once more.
@@ -270,6 +269,7 @@ void WorldSession::publish_mission(double now_s) {
 void WorldSession::publish_tick(double now_s) {
   tick_.refused = admission_.take_refused();
   tick_.assigned = admission_.take_assigned();
+  tick_.answers = desk_.answers(run_.orders(), now_s);
   send(tick_, topics_.tick, now_s);
   last_sent_s_ = now_s;
 }

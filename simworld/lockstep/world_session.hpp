@@ -17,9 +17,11 @@
 #include "idl/bus/port.hpp"
 #include "idl/convert/convert.hpp"
 #include "simworld/lockstep/admission.hpp"
+#include "simworld/lockstep/command_desk.hpp"
 #include "simworld/lockstep/interventions.hpp"
 #include "simworld/lockstep/pacer.hpp"
 #include "simworld/lockstep/recorder.hpp"
+#include "simworld/lockstep/recorder_gate.hpp"
 #include "simworld/lockstep/repeats.hpp"
 #include "simworld/lockstep/run.hpp"
 
@@ -33,8 +35,12 @@ struct SessionOptions {
   bool fail_fast = false;
   Pace pace;
   std::vector<Fault> faults;
-  std::vector<RosterChange> replay;  ///< losses and returns of another run, repeated at the same rounds
-  Recorder* recorder = nullptr;      ///< is told of each round before its tick goes out; nullptr for none
+  std::vector<RosterChange> replay;    ///< losses and returns of another run, repeated at the same rounds
+  std::vector<OrderedAt> orders;       ///< what it was told, the same
+  std::vector<InjectedAt> injections;  ///< and the obstacles that were put in its way
+  bool wait_start = false;             ///< the mission starts when a command says so as well
+  bool recorded = false;               ///< a recorder keeps every sample: the world waits for what recorded() says
+  Recorder* recorder = nullptr;        ///< is told of each round before its tick goes out; nullptr for none
 };
 
 class WorldSession {
@@ -65,6 +71,12 @@ class WorldSession {
   void process_ended(AgentId agent, double now_s);
   /// And that it is stopped, as it was told.
   void process_stopped(AgentId agent) { interventions_.process_stopped(agent); }
+  /// The recorder has heard the tick of `round`, and lacks a sample of those agents' parts in it.
+  void recorded(std::uint32_t round, std::vector<AgentId> lacking) { gate_.say(round, std::move(lacking)); }
+  /// Nothing is recorded any more: nobody waits for it.
+  void give_up_recorder() { gate_.give_up(); }
+  /// Whether that is so, or the recorder left an answered round unrecorded for the deadline.
+  [[nodiscard]] bool recorder_given_up() const { return gate_.given_up(); }
   /// The run must not start (another world has the swarm): ends with that exit code. Without effect once it runs.
   void refuse_start(const std::string& reason, double now_s, ExitCode code = ExitCode::StartUp);
   /// Does not wait for anybody any more.
@@ -91,6 +103,7 @@ class WorldSession {
   /// Faults on purpose, and roster changes to be repeated, whose moment never came. Once the run is over.
   [[nodiscard]] const std::vector<Fault>& unused_faults() const { return interventions_.unused_faults(); }
   [[nodiscard]] const std::vector<RosterChange>& unused_changes() const { return interventions_.unused_changes(); }
+  [[nodiscard]] const CommandDesk& desk() const { return desk_; }
   [[nodiscard]] bool fail_fast() const { return options_.fail_fast; }
   [[nodiscard]] std::uint64_t run_id() const { return options_.run; }
   /// Worlds of this run that died before this one.
@@ -104,6 +117,13 @@ class WorldSession {
   void on_sample(const wire::Beacon& sample, double now_s);
   void on_sample(const wire::Representative& sample, double now_s);
   void on_sample(const wire::ObstacleMap& sample, double now_s);
+  void on_sample(const wire::Command& sample, double now_s);
+  void on_sample(const wire::Inject& sample, double now_s);
+  template <typename Plain, typename Wire>
+  void take_command(const Wire& sample, double now_s);
+  void take_faults(const Moment& moment, double now_s);
+  void take_orders_waiting(double now_s);
+  [[nodiscard]] Steered take_start(double now_s);
   /// What a live agent shares with all others.
   template <typename Sample, typename Wire>
   void collect(const Wire& sample, TopicCount& count);
@@ -114,6 +134,7 @@ class WorldSession {
   void drop_silent(double now_s);
   void add_loss(AgentId agent, LossReason reason);
   [[nodiscard]] bool is_live(AgentId agent) const;
+  [[nodiscard]] bool is_recorded(double now_s);
   [[nodiscard]] bool is_held(double now_s);
   void find_returning(double now_s);
   void start(double now_s);
@@ -123,7 +144,7 @@ class WorldSession {
   void open(const Tick& tick, double now_s);
   void expect(const Tick& tick, double now_s);
   void repeat_tick(double now_s);
-  void record_round(double now_s) const;
+  void record_round(const Steered& steered, double now_s) const;
   void rematch(double now_s);
   void publish_mission(double now_s);
   void publish_tick(double now_s);
@@ -139,7 +160,9 @@ class WorldSession {
   Run run_;
   Admission admission_;
   Interventions interventions_;
+  CommandDesk desk_;
   Barrier barrier_;
+  RecorderGate gate_;
   State state_ = State::Waiting;
   Tick tick_;
   std::vector<Loss> lost_;         ///< to be dropped with the next tick
@@ -148,6 +171,7 @@ class WorldSession {
   double last_sent_s_ = -1e9;
   double mission_sent_s_ = -1e9;
   double all_have_mission_s_ = -1e9;  ///< when last no agent that had introduced itself lacked it
+  double startable_s_ = -1e9;         ///< when last all were there, and a start was waited for
   double pause_until_s_ = -1e9;       ///< for a newcomer that has heard no tick yet
   std::optional<double> last_poll_s_;
   double away_s_ = 0.0;  ///< time since the open tick in which nobody polled: it counts against no agent

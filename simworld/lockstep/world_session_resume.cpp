@@ -15,13 +15,14 @@ double shifted(double time_s, double shift_s) {
 
 }  // namespace
 
-void WorldSession::record_round(double now_s) const {
+void WorldSession::record_round(const Steered& steered, double now_s) const {
   if (options_.recorder == nullptr) return;
   RoundInputs inputs;
   inputs.round = run_.rounds();
   inputs.world_hash = run_.state_hash();
   inputs.lost = lost_;
   inputs.back = back_;
+  inputs.steered = steered;
   inputs.figures = {now_s, times_, topics_, pacer_.late()};
   if (inputs.round == 0) inputs.roster = tick_.roster;
   for (const RosterEntry& entry : tick_.roster) {
@@ -36,6 +37,7 @@ void WorldSession::replay(const RoundInputs& inputs) {
     throw std::invalid_argument(fmt::format("what was recorded of round {} is not what the run came to", inputs.round));
   }
   replayed_ = inputs.figures;
+  desk_.remember(inputs.steered, inputs.round + 1);
   if (inputs.round == 0) {
     for (const RosterEntry& entry : inputs.roster) admission_.restore(entry);
   }
@@ -43,7 +45,7 @@ void WorldSession::replay(const RoundInputs& inputs) {
     admission_.lose(loss.agent, run_.rounds() + 1, loss.reason == LossReason::Deadline);
   }
   if (inputs.round == 0) {
-    tick_ = run_.begin(inputs.roster, inputs.lost, inputs.back);
+    tick_ = run_.begin(inputs.roster, inputs.lost, inputs.back, inputs.steered);
   } else {
     barrier_.open(tick_, 0.0);
     for (const Answer& answer : inputs.answers) {
@@ -52,7 +54,7 @@ void WorldSession::replay(const RoundInputs& inputs) {
       if (answer.obstacle_map) barrier_.accept(*answer.obstacle_map);
     }
     repeats_.keep(barrier_, tick_);
-    tick_ = run_.decide(barrier_, inputs.lost, inputs.back);
+    tick_ = run_.decide(barrier_, inputs.lost, inputs.back, inputs.steered);
   }
   for (const RosterEntry& entry : inputs.back) {
     if (std::ranges::find(tick_.roster, entry.nonce, &RosterEntry::nonce) != tick_.roster.end()) {
@@ -95,9 +97,10 @@ void WorldSession::rematch(double now_s) {
 
 void WorldSession::repeat_tick(double now_s) {
   publish_tick(now_s);
-  for (const AgentId agent : barrier_.waiting_for()) {
-    const auto entry = std::ranges::find(tick_.roster, agent, &RosterEntry::agent);
-    if (entry->sense) publish_sense(*entry, now_s);
+  const std::vector<AgentId> waiting = barrier_.waiting_for();
+  for (const RosterEntry& entry : tick_.roster) {
+    const bool lacks = std::ranges::binary_search(waiting, entry.agent) || gate_.lacks(tick_, entry.agent);
+    if (entry.sense && lacks) publish_sense(entry, now_s);
   }
 }
 

@@ -50,6 +50,15 @@ Movers::Movers(std::vector<Mover> movers, std::vector<Vec3> goals_m, double goal
   }
 }
 
+void Movers::add(Mover mover, std::uint32_t step, double step_s) {
+  step_s_ = step_s;
+  MoverRecord& record = movers_.emplace_back();
+  record.id = static_cast<std::uint32_t>(movers_.size());
+  record.position_m = mover.position_m;
+  record.spec = std::move(mover);
+  start(record, step);
+}
+
 void Movers::open(std::uint32_t step, std::span<const Bystander> vehicles) {
   const double time_s = step_s_ * static_cast<double>(step - 1);
   for (MoverRecord& mover : movers_) {

@@ -47,6 +47,8 @@ class Movers {
 
   /// The movers that are there in step `step` (from 1) appear, others go. Call it once a step, before advance.
   void open(std::uint32_t step, std::span<const Bystander> vehicles);
+  /// One more, that is there from step `step` on. @param step_s as that of all others
+  void add(Mover mover, std::uint32_t step, double step_s);
   /// Moves those that are there through the step.
   void advance(std::uint32_t step);
 

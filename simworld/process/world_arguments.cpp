@@ -60,6 +60,7 @@ void add_world_options(CLI::App& app, WorldArguments& arguments) {
   app.add_option("--out", arguments.out, "folder for report and logs; by default skein-runs/<time>-<seed>");
   app.add_option("--realtime", arguments.realtime, "pace to so many times real time; default: as fast as it goes")
       ->check(CLI::Range(0.1, 1000.0));
+  app.add_flag("--wait-start", arguments.wait_start, "start when all are matched and skein start says so");
   app.add_flag("--fail-fast,!--keep-going", arguments.fail_fast, "end the run when an agent is lost; default: go on");
   app.add_option("--checkpoint", arguments.checkpoint,
                  "folder that keeps the run as it goes: a world that died goes on from there");

@@ -96,6 +96,9 @@ class WorldProcess {
     if (checkpoint_ != nullptr && !checkpoint_->failure().empty() && !std::exchange(checkpoint_lost_, true)) {
       spdlog::error("the run goes on without its checkpoint: {}", checkpoint_->failure());
     }
+    if (session_.recorder_given_up() && !std::exchange(recorder_lost_, true)) {
+      spdlog::error("the run goes on without its recorder");
+    }
     progress_.show(session_, steady_now_s());
     log_silence(steady_now_s());
     return session_.state() != WorldSession::State::Done;
@@ -124,8 +127,10 @@ class WorldProcess {
     options.startup_timeout_s = arguments.common.startup_timeout_s;
     options.settle_s = arguments.settle_s;
     options.fail_fast = arguments.fail_fast;
+    options.recorded = arguments.recorded;
     options.pace = {arguments.realtime, scenario_.lockstep.round_s};
     options.faults = arguments.faults;
+    options.wait_start = arguments.wait_start;
     return options;
   }
 
@@ -152,6 +157,10 @@ class WorldProcess {
       if (const auto stopped = message->find("stopped"); stopped != message->end()) {
         session_.process_stopped(stopped->get<AgentId>());
       }
+      if (message->contains("unrecorded")) session_.give_up_recorder();
+      if (const auto round = message->find("recorded"); round != message->end()) {
+        session_.recorded(round->get<std::uint32_t>(), message->at("lacking").get<std::vector<AgentId>>());
+      }
     }
     if (launched_ && !channel_.open())
       session_.interrupt("the launcher ended", static_cast<int>(ExitCode::Failed), steady_now_s());
@@ -172,6 +181,7 @@ class WorldProcess {
   Checkpoint* checkpoint_;
   bool checkpoint_lost_ = false;
   std::optional<std::uint32_t> silent_round_;  ///< the open one, if somebody has left it unanswered
+  bool recorder_lost_ = false;
   std::uint64_t run_id_;
   SignalWatch signals_;
   ControlChannel channel_;

@@ -25,7 +25,9 @@ struct WorldArguments {
   double settle_s = 1.0;   ///< silence before the mission is published, in which another world may be found
   std::string checkpoint;  ///< folder from which a world that died is started again; empty for none
   bool checkpoint_sync = false;
-  int control_fd = -1;  ///< of the launcher's socket pair; -1 when started by hand
+  bool recorded = false;    ///< the launcher records: it says which rounds it has
+  bool wait_start = false;  ///< the mission starts when a command says so as well
+  int control_fd = -1;      ///< of the launcher's socket pair; -1 when started by hand
 };
 
 /// Adds SCENARIO, --seed, --set, --planner: what names a scenario.

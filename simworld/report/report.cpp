@@ -10,6 +10,7 @@
 
 #include "planner/core/lockstep/names.hpp"
 #include "simworld/report/flight_report.hpp"
+#include "simworld/report/steering_report.hpp"
 
 namespace skein {
 namespace {
@@ -194,6 +195,11 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   report["seed"] = scenario.mission.seed;
   report["scenario"] = scenario.mission.name;
   report["scenario_hash"] = fmt::format("{:016x}", scenario.scenario_hash);
+  report["scenario_path"] = scenario.path;
+  report["overrides"] = Json::array();
+  for (const Override& item : scenario.overrides) {
+    report["overrides"].push_back({{"key", item.key}, {"value", item.value}});
+  }
   report["version"] = version();
   report["carrier"] = context.carrier;
   report["fail_fast"] = session.fail_fast();
@@ -213,6 +219,7 @@ Json make_report(const WorldSession& session, const Scenario& scenario, const Re
   if (run.map_watch() != nullptr) add_maps(report, *run.map_watch());
   add_surprises(report, run);
   report["roster_changes"] = changes_of(run);
+  add_steering(report, run);
   report["discovery_s"] = span_s(times.created_s, times.started_s);
   report["plan_s"] = plan_s;
   report["rounds_per_s"] = per_second(run.planning_rounds(), plan_s);

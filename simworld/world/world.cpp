@@ -32,8 +32,9 @@ Vec3 waiting_course(const VehicleRecord& vehicle) {
 }  // namespace
 
 std::string_view name_of(VehicleStatus status) {
-  constexpr std::array<std::string_view, 10> kNames{"",       "flying",   "arrived",  "missed",      "removed",
-                                                    "adrift", "hovering", "rejoined", "unreachable", "deadlock"};
+  constexpr std::array<std::string_view, 11> kNames{"",       "flying",   "arrived",  "missed",      "removed",
+                                                    "adrift", "hovering", "rejoined", "unreachable", "deadlock",
+                                                    "landed"};
   return kNames.at(static_cast<std::size_t>(status));
 }
 
@@ -131,6 +132,7 @@ void World::advance(std::uint32_t step, std::span<const VehicleCommand> commands
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     while (next != commands.end() && next->agent < vehicles_[i].spec.id) ++next;
     const bool commanded = next != commands.end() && next->agent == vehicles_[i].spec.id;
+    if (commanded && next->landed) set_down(i);
     if (in_the_air(i)) move(i, step, commanded ? &*next : nullptr);
   }
   check_vehicles(step);
@@ -153,6 +155,15 @@ void World::land() {
   }
 }
 
+void World::set_down(std::size_t i) {
+  VehicleRecord& vehicle = vehicles_[i];
+  const bool obeys = vehicle.status != VehicleStatus::Removed && vehicle.status != VehicleStatus::Hovering;
+  if (vehicle.landed || !obeys) return;
+  if (vehicle.status != VehicleStatus::Arrived) vehicle.status = VehicleStatus::Landed;
+  vehicle.landed = true;
+  vehicle.state.velocity_mps = Vec3::Zero();
+}
+
 void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* command) {
   VehicleRecord& vehicle = vehicles_[i];
   const Vec3 wanted = vehicle.status == VehicleStatus::Hovering ? waiting_course(vehicle)
@@ -173,6 +184,7 @@ void World::move(std::size_t i, std::uint32_t step, const VehicleCommand* comman
     vehicle.heading_rad = pose_of(vehicle.state).heading_rad;
   const bool gave_up = vehicle.status == VehicleStatus::Unreachable || vehicle.status == VehicleStatus::Deadlock;
   if (vehicle.status != VehicleStatus::Flying && !gave_up) return;
+  if (command != nullptr && command->off_mission) return;
   note_arrival(i, step);
   if (transit_) return;
   const double off_m = std::sqrt((vehicle.state.position_m - vehicle.slot.position_m).squaredNorm());

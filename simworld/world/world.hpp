@@ -22,6 +22,7 @@
 
 #include "planner/core/cells/cell_window.hpp"
 #include "planner/core/lockstep/map_sample.hpp"
+#include "planner/core/lockstep/orders.hpp"
 #include "planner/core/mission/mission.hpp"
 #include "simworld/collision/obstacle.hpp"
 #include "simworld/movers/movers.hpp"
@@ -41,6 +42,7 @@ enum class VehicleStatus : std::uint8_t {
   Rejoined = 7,     ///< its agent came back and flies it, without a plan so far
   Unreachable = 8,  ///< its agent says that no way leads to its goal
   Deadlock = 9,     ///< its agent says that it cannot get past the others
+  Landed = 10,      ///< by command: it stands where it came down, and meets nobody
 };
 
 [[nodiscard]] std::string_view name_of(VehicleStatus status);
@@ -57,7 +59,7 @@ struct VehicleRecord {
   std::uint32_t arrival_step = 0;  ///< 0: not arrived
   double arrival_time_s = 0.0;
   double heading_rad = 0.0;  ///< of its last motion; kept while it stands or climbs straight up
-  bool landed = false;       ///< at the goal of a transit: it stands, and meets nobody
+  bool landed = false;       ///< at the goal of a transit, or by command: it stands, and meets nobody
 };
 
 /// How close two vehicles came while both were in the air, by the centres, continuous between steps.
@@ -71,7 +73,9 @@ struct PairSeparation {
 struct VehicleCommand {
   AgentId agent = 0;
   Vec3 velocity_mps = Vec3::Zero();
-  bool path_flown = false;  ///< the agent says that its path is flown to the end
+  bool path_flown = false;   ///< the agent says that its path is flown to the end
+  bool landed = false;       ///< it says that it is down, by command
+  bool off_mission = false;  ///< it flies by command
 };
 
 /// Rammed: by a mover, at rest. ZoneEntry: into an announced zone that is unconfirmed or occupied.
@@ -122,6 +126,9 @@ class World {
   /// Flies step `step` (from 1). Commands by ascending id; a flying vehicle without one keeps its direction.
   void advance(std::uint32_t step, std::span<const VehicleCommand> commands);
 
+  /// Puts an obstacle into the air, which no agent is told of: it is there from step `step` (from 1) on.
+  void inject(const Injection& obstacle, std::uint32_t step);
+
   /// No vehicle with a live agent is still on its way.
   [[nodiscard]] bool all_ended() const;
 
@@ -160,6 +167,7 @@ class World {
   void move(std::size_t i, std::uint32_t step, const VehicleCommand* command);
   void note_arrival(std::size_t i, std::uint32_t step);
   void land();
+  void set_down(std::size_t i);
   void check_vehicles(std::uint32_t step);
   void check_zones(std::uint32_t step);
   void check_hidden(std::uint32_t step);
@@ -184,6 +192,7 @@ class World {
   OnAgentLoss on_agent_loss_;
   bool replans_;
   bool airborne_ = false;
+  std::uint32_t injected_ = 0;
   std::vector<VehicleRecord> vehicles_;
   std::vector<Motion> motions_;
   Movers movers_;

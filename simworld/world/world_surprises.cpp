@@ -53,6 +53,24 @@ void World::prepare(const Mission& mission, const Surprises& surprises) {
   movers_.open(1, bystanders());
 }
 
+void World::inject(const Injection& obstacle, std::uint32_t step) {
+  Mover mover;
+  mover.name = "injected." + std::to_string(++injected_);
+  mover.position_m = obstacle.position_m;
+  mover.radius_m = obstacle.radius_m;
+  mover.column = obstacle.column;
+  if (obstacle.velocity_mps != Vec3::Zero()) mover.motion = LineMotion{obstacle.velocity_mps};
+  const std::size_t before = movers_.all().size();
+  movers_.add(std::move(mover), step, step_s_);
+  for (std::vector<bool>* touching : {&in_mover_, &rammed_}) {  // vehicle x mover, one column more
+    std::vector<bool> wider(vehicles_.size() * (before + 1));
+    for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+      for (std::size_t m = 0; m < before; ++m) wider[i * (before + 1) + m] = (*touching)[i * before + m];
+    }
+    *touching = std::move(wider);
+  }
+}
+
 std::vector<Bystander> World::bystanders() const {
   std::vector<Bystander> all;
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-GOLDEN = ("mission", "tick", "sense", "beacon", "representative", "obstacle_map")  # as wire_fuzz numbers the topics
+GOLDEN = ("mission", "tick", "sense", "beacon", "representative", "obstacle_map", "command", "inject")  # as wire_fuzz numbers the topics
 ROUND = 2  # kind of a record, simworld/checkpoint/checkpoint.cpp
 HEAD = struct.Struct("<4sIQQQ")  # of a record, simworld/checkpoint/journal.cpp: mark, kind, length, two sums
 

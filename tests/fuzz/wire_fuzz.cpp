@@ -28,7 +28,8 @@ void receive(std::span<const std::uint8_t> bytes) {
 }
 
 constexpr std::array kReceivers{receive<wire::Mission>, receive<wire::Tick>,           receive<wire::Sense>,
-                                receive<wire::Beacon>,  receive<wire::Representative>, receive<wire::ObstacleMap>};
+                                receive<wire::Beacon>,  receive<wire::Representative>, receive<wire::ObstacleMap>,
+                                receive<wire::Command>, receive<wire::Inject>};
 
 }  // namespace
 }  // namespace skein

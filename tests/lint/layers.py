@@ -25,7 +25,9 @@ OWNED = (
     (r"nlohmann/", r"nlohmann_json.*", ("simworld", "agent", "groundstation", "idl/process")),
     (r"CLI/", r"CLI11.*", ("idl/process", "simworld", "agent", "groundstation")),
     (r"spdlog/", r"spdlog.*", ("idl/bus", "idl/process", "simworld", "agent", "groundstation")),
+    (r"n?curses", r"PkgConfig::NCURSESW", ("groundstation/monitor",)),
     (r"sleef\.h", r"PkgConfig::SLEEF|sleef", ("planner/core/math",)),
+    (r"zstd\.h|zlib\.h", r"PkgConfig::ZSTD|ZLIB::ZLIB", ("groundstation/mcap",)),
     (r"Random123/", r"(?!)", ("planner/core/random",)),
 )
 

@@ -16,6 +16,11 @@ namespace skein {
 [[nodiscard]] std::string_view name_of(SafetyMode mode);
 [[nodiscard]] std::string_view name_of(SafetyReason reason);
 [[nodiscard]] std::string_view name_of(ZoneState state);
+[[nodiscard]] std::string_view name_of(OrderKind kind);
+[[nodiscard]] std::string_view name_of(OrderResult result);
+[[nodiscard]] std::string_view name_of(InjectionKind kind);
 [[nodiscard]] std::optional<LossReason> loss_reason_from(std::string_view name);
+[[nodiscard]] std::optional<OrderKind> order_kind_from(std::string_view name);
+[[nodiscard]] std::optional<InjectionKind> injection_kind_from(std::string_view name);
 
 }  // namespace skein

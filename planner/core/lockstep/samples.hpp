@@ -12,6 +12,7 @@
 
 #include "planner/core/cells/cell_window.hpp"
 #include "planner/core/geometry/types.hpp"
+#include "planner/core/lockstep/orders.hpp"
 #include "planner/core/mission/mission.hpp"
 
 namespace skein {
@@ -31,6 +32,10 @@ enum class AgentMode : std::uint8_t {
   Unreachable = 8,  ///< knows no way to its goal; hovers, and gives way
   Deadlock = 9,     ///< finds no way past the others, and has given up
   Replanning = 10,  ///< in flight: calls for a new plan, or takes part in making one
+  Holding = 11,     ///< by command: waits where it is (constant speed: circles)
+  GoingTo = 12,     ///< by command: flies to a point, and waits there
+  Landing = 13,     ///< by command: descends
+  Landed = 14,      ///< by command: is down; its mission is over
 };
 
 /// Who decides where a UAV flies, as its run-time monitor says (papers/000, section 2).
@@ -123,8 +128,10 @@ struct Tick {
   std::vector<RosterEntry> roster;  ///< by ascending id
   std::vector<Refusal> refused;
   std::vector<Assignment> assigned;
-  std::uint64_t world_hash = 0;    ///< H of the round before
-  std::optional<Outcome> outcome;  ///< given with phase Finished
+  std::uint64_t world_hash = 0;      ///< H of the round before
+  std::optional<Outcome> outcome;    ///< given with phase Finished
+  std::vector<Order> orders;         ///< that take effect in this round
+  std::vector<OrderAnswer> answers;  ///< what became of the newest commands; of no run
 
   bool operator==(const Tick&) const = default;
 };
@@ -252,6 +259,7 @@ struct Beacon {
   double deviation_m = 0.0;             ///< from where its plan says; 0 without one
   double predicted_separation_m = 1e6;  ///< least to a peer's centre within the horizon; 1e6: nobody is heard
   std::uint64_t state_hash = 0;
+  std::vector<std::uint64_t> acknowledged;  ///< the orders of this round's tick that concern it
 
   bool operator==(const Beacon&) const = default;
 };

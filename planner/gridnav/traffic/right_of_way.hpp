@@ -45,7 +45,7 @@ struct Key {
   bool pushed = false;
   AgentId id = 0;
 
-  auto operator<=>(const Key&) const = default;
+  auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm of clang-tidy 14
 };
 
 /// The key that a sent intent of UAV id stands for.

@@ -1,6 +1,11 @@
 // The sweep as its user calls it: statistics that equal the single runs they are made of.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+
 #include "tests/groundstation/e2e/skein.hpp"
 
 namespace skein::e2e {
@@ -29,6 +34,55 @@ TEST(Sweep, RequireSuccessDecidesTheExitCode) {
   const Ended ended = run_program(strict, 120.0);
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_NE(ended.out.find("did not end within"), std::string::npos) << ended.out;
+}
+
+TEST(Sweep, InterruptedItGoesOnFromItsJournal) {
+  const ScratchFolder out;
+  const std::string journal = out.path() + "/journal";
+  const std::vector<std::string> sweep{
+      binary("skein"), "sweep", scenario_path("rendezvous-2d"), "--runs", "30", "--jobs", "1", "--resume",
+      journal,         "--json"};
+  const auto lines = [&] {
+    std::ifstream in(journal);
+    return std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+  };
+  Program interrupted(sweep);
+  for (int i = 0; i < 1000 && lines() < 4; ++i) (void)interrupted.read_until("nothing is said there", 0.02);
+  interrupted.signal_group(SIGINT);
+  const Ended first = interrupted.wait(60.0);
+  EXPECT_EQ(first.exit_code, 130) << first.err;
+  EXPECT_FALSE(nlohmann::json::parse(first.out).at("complete"));
+  const auto made = nlohmann::json::parse(first.out).at("rows").at(0).at("per_run");
+  ASSERT_GE(made.size(), 3U);
+  ASSERT_LT(made.size(), 30U);
+  const Ended second = run_program(sweep, 120.0);
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  const auto whole = nlohmann::json::parse(second.out).at("rows").at(0).at("per_run");
+  ASSERT_EQ(whole.size(), 30U);
+  for (std::size_t i = 0; i < made.size(); ++i) EXPECT_EQ(whole[i], made[i]);  // wall times too: not run again
+  const Ended third = run_program(sweep, 120.0);
+  EXPECT_EQ(third.out, second.out);
+  std::vector<std::string> other = sweep;
+  other.insert(other.end(), {"--set", "planner.particles=12"});
+  const Ended refused = run_program(other, 60.0);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("--resume: " + journal + ": it is the journal of another sweep"), std::string::npos);
+}
+
+TEST(Sweep, WritesJunitAndSaysHowFarItIs) {
+  const ScratchFolder out;
+  const std::string file = out.path() + "/runs.xml";
+  const Ended ended = run_program({binary("skein"), "sweep", scenario_path("rendezvous-2d"), "--runs", "2", "--junit",
+                                   file, "--progress", "--set", "world.max_steps=10"},
+                                  60.0);
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_EQ(ended.err, "sweep: 2 of 2 runs\n");
+  std::ifstream in(file);
+  const std::string xml{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(xml.find("tests=\"2\" failures=\"2\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<failure message=\"the flight did not end within world.max_steps = 10 steps\""),
+            std::string::npos)
+      << xml;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class RawType final : public fdds::TopicDataType {
   explicit RawType(const std::string& name) {
     setName(name.c_str());
     m_typeSize = 4096;
-    m_isGetKeyDefined = name != "skein::v6::Tick";
+    m_isGetKeyDefined = name != "skein::v7::Tick";
   }
   bool serialize(void* data, SerializedPayload_t* payload) override {
     const auto& bytes = *static_cast<Bytes*>(data);

@@ -213,19 +213,29 @@ TEST(PeerBook, AProcessesOwnOldParticipantIsNeitherAPeerNorAConflict) {
   EXPECT_THAT(agent.matched_nonces(kNow_s), IsEmpty());
 }
 
+TEST(PeerBook, AnObserverIsInConflictWithAWorldOfAnotherVersion) {
+  PeerBook book(info(Role::Observer, 5));
+  PeerInfo world = info(Role::World, 9);
+  book.discovered(kFirst, world);
+  EXPECT_EQ(book.conflict(), std::nullopt);
+  world.wire_version = 8;
+  book.discovered(kFirst, world);
+  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("speaks wire version 8, this observer version 1"));
+}
+
 TEST(PeerBook, AWorldOfAnotherSwarmOrAnAgentOfAnotherVersionIsNoConflict) {
   PeerBook book(info(Role::Agent, 5));
   PeerInfo stranger = info(Role::World, 9);
-  stranger.wire_version = 7;
+  stranger.wire_version = 8;
   stranger.swarm = "ducks";
   book.discovered(kFirst, stranger);
   PeerInfo newer = info(Role::Agent, 8);
-  newer.wire_version = 7;
+  newer.wire_version = 8;
   book.discovered(kSecond, newer);
   EXPECT_EQ(book.conflict(), std::nullopt);
   stranger.swarm = "geese";
   book.discovered(kFirst, stranger);
-  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("wire version 7"));
+  EXPECT_THAT(book.conflict().value_or(""), HasSubstr("wire version 8"));
 }
 
 TEST(PeerBook, IsObservedByWhoReadsTicksWithoutAPartInTheRun) {
@@ -240,6 +250,21 @@ TEST(PeerBook, IsObservedByWhoReadsTicksWithoutAPartInTheRun) {
   EXPECT_TRUE(book.observed());
   book.gone(kSecond);
   EXPECT_FALSE(book.observed());
+}
+
+TEST(PeerBook, CountsTheEndpointsOfAllOthers) {
+  constexpr ProcessKey kOwn{3};
+  PeerBook book(info(Role::Observer, 5));
+  find(book, kOwn, endpoint_bit(TopicId::Beacon, true), true, kNow_s);
+  const auto beacons = static_cast<std::size_t>(std::countr_zero(endpoint_bit(TopicId::Beacon, false)));
+  EXPECT_EQ(book.endpoints(kOwn)[beacons], 0U);
+  find(book, kFirst, endpoint_bit(TopicId::Beacon, false), true, kNow_s);
+  find(book, kSecond, endpoint_bit(TopicId::Beacon, false), true, kNow_s);
+  find(book, kSecond, endpoint_bit(TopicId::Beacon, true), true, kNow_s);
+  EXPECT_EQ(book.endpoints(kOwn)[beacons], 2U);
+  EXPECT_EQ(book.endpoints(kOwn)[beacons + 1], 1U);
+  book.gone(kSecond);
+  EXPECT_EQ(book.endpoints(kOwn)[beacons], 1U);
 }
 
 }  // namespace

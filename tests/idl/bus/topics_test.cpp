@@ -11,7 +11,7 @@ TEST(Topics, TheTableIsInOrderOfItsIds) {
   for (std::size_t i = 0; i < kTopics.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(kTopics[i].id), i);
     EXPECT_TRUE(kTopics[i].name.starts_with("skein/")) << kTopics[i].name;
-    EXPECT_TRUE(kTopics[i].type.starts_with("skein::v6::")) << kTopics[i].type;
+    EXPECT_TRUE(kTopics[i].type.starts_with("skein::v7::")) << kTopics[i].type;
     EXPECT_NE(kTopics[i].writers, 0);
     EXPECT_NE(kTopics[i].readers, 0);
   }
@@ -25,6 +25,16 @@ TEST(Topics, TwoAgentsShareRepresentativeAndObstacleMapBothWays) {
   EXPECT_EQ(expected_matches(Role::Agent, Role::Agent),
             endpoint_bit(TopicId::Representative, true) | endpoint_bit(TopicId::Representative, false) |
                 endpoint_bit(TopicId::ObstacleMap, true) | endpoint_bit(TopicId::ObstacleMap, false));
+}
+
+TEST(Topics, NobodyWaitsForAnOperator) {
+  for (const Role role : {Role::Agent, Role::World}) {
+    for (const Role peer : {Role::Agent, Role::World}) {
+      const auto bits = expected_matches(role, peer);
+      EXPECT_EQ(bits & endpoint_bit(TopicId::Command, false), 0);
+      EXPECT_EQ(bits & endpoint_bit(TopicId::Inject, false), 0);
+    }
+  }
 }
 
 TEST(Topics, AgentAndWorldShareEightEndpointsSeenFromEitherSide) {

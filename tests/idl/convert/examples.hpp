@@ -82,6 +82,9 @@ inline Tick tick() {
   t.refused = {{0x4444, RefusalReason::UnknownId}};
   t.assigned = {{0x5555, 3}};
   t.world_hash = 0xfedcba9876543210;
+  t.orders = {{0x99, 3, OrderKind::Goto, Vec3(1.0, -2.0, 3.0), 4.5}};
+  t.answers = {{0x99, OrderResult::Accepted, 6, {1, 3}, ""},
+               {0x98, OrderResult::UnknownAgent, 0, {}, "the mission has no vehicle 9"}};
   return t;
 }
 
@@ -161,7 +164,16 @@ inline Beacon beacon() {
   b.cost = -3.5;
   b.generation = 9;
   b.state_hash = 0x0123456789abcdef;
+  b.acknowledged = {0x99, 0x97};
   return b;
+}
+
+inline Command command() {
+  return {77, {0x99, 3, OrderKind::Goto, Vec3(1.0, -2.0, 3.0), 4.5}, 5.5};
+}
+
+inline Inject inject() {
+  return {77, {0x97, InjectionKind::Obstacle, 0, Vec3(1.0, 2.0, 3.0), Vec3(-4.0, 5.0, -6.0), 7.5, true}, 8.5};
 }
 
 }  // namespace skein::examples

@@ -99,6 +99,12 @@ TEST(Fuzz, Representative) {
   fuzz(examples::representative());
   fuzz(examples::revision());
 }
+TEST(Fuzz, Command) {
+  fuzz(examples::command());
+}
+TEST(Fuzz, Inject) {
+  fuzz(examples::inject());
+}
 TEST(Fuzz, Beacon) {
   fuzz(examples::beacon());
 }

@@ -57,6 +57,13 @@ TEST(Golden, Beacon) {
   EXPECT_EQ(bytes_of(examples::beacon()), golden("beacon"));
 }
 
+TEST(Golden, Command) {
+  EXPECT_EQ(bytes_of(examples::command()), golden("command"));
+}
+TEST(Golden, Inject) {
+  EXPECT_EQ(bytes_of(examples::inject()), golden("inject"));
+}
+
 TEST(Golden, SenseByHand) {
   // Encapsulation CDR_LE; run 77; stamp 1234567890123 = 0x11f71fb04cb; sender 0, incarnation 2; agent 3, round 6;
   // then 1.5 = 0x3ff8000000000000 on an 8-byte boundary.

@@ -1,49 +1,10 @@
 // Each kind of bad sample is refused, with its reason and the field that is wrong.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <functional>
-#include <limits>
-
-#include "tests/idl/convert/examples.hpp"
+#include "tests/idl/convert/refusals.hpp"
 
 namespace skein {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-const std::vector<RosterEntry> kRoster{{1, 1, 0x1111, true, true}, {3, 2, 0x3333, true, true}};
-const std::vector<AgentId> kKnown{1, 3};
-
-WireContext strict() {
-  return {.run = 77,
-          .known = kKnown,
-          .roster = std::span<const RosterEntry>(kRoster),
-          .particle_size = 2,
-          .grid = CellGrid{Vec3::Zero(), 2.0, 4.0, 20, 12, 1}};
-}
-
-template <typename Wire>
-struct Case {
-  std::string_view where;
-  WireFaultReason reason;
-  std::function<void(Wire&)> spoil;
-};
-
-template <typename Wire>
-void expect_refused(const Wire& valid, const std::vector<Case<Wire>>& cases) {
-  ASSERT_TRUE(from_wire(valid, strict()).ok()) << from_wire(valid, strict()).fault().where;
-  for (const Case<Wire>& bad : cases) {
-    Wire sample = valid;
-    bad.spoil(sample);
-    const auto checked = from_wire(sample, strict());
-    ASSERT_FALSE(checked.ok()) << bad.where;
-    EXPECT_EQ(checked.fault().where, bad.where);
-    EXPECT_EQ(checked.fault().reason, bad.reason)
-        << bad.where << ": " << name_of(checked.fault().reason) << ", not " << name_of(bad.reason);
-  }
-}
-
+using namespace refusals;
 using enum WireFaultReason;
 
 TEST(Refusal, Mission) {
@@ -257,13 +218,14 @@ TEST(Refusal, Beacon) {
                      {"beacon.matched", BadOrder, [](W& b) { b.matched()[1] = b.matched()[0]; }},
                      {"beacon.needs.agent", UnknownAgent, [](W& b) { b.needs()[0].agent(0); }},
                      {"beacon.needs.topic", BadEnum, [](W& b) { b.needs()[1].topic(2); }},
-                     {"beacon.mode", BadEnum, [](W& b) { b.mode(11); }},
+                     {"beacon.mode", BadEnum, [](W& b) { b.mode(15); }},
                      {"beacon.failing", BadEnum, [](W& b) { b.failing(255); }},
                      {"beacon.failing_peer", UnknownAgent, [](W& b) { b.failing_peer(2); }},
                      {"beacon.own", NonFinite, [](W& b) { b.own().position_m().z(kNan); }},
                      {"beacon.commanded_velocity_mps", OutOfRange, [](W& b) { b.commanded_velocity_mps().z(-2e4); }},
                      {"beacon.planned_length_m", OutOfRange, [](W& b) { b.planned_length_m(-1.0); }},
                      {"beacon.cost", NonFinite, [](W& b) { b.cost(kNan); }},
+                     {"beacon.acknowledged", OutOfRange, [](W& b) { b.acknowledged().resize(17, 1); }},
                      {"beacon.safety_mode", BadEnum, [](W& b) { b.safety_mode(3); }},
                      {"beacon.safety_reason", BadEnum, [](W& b) { b.safety_reason(9); }},
                      {"beacon.deviation_m", OutOfRange, [](W& b) { b.deviation_m(-1.0); }},

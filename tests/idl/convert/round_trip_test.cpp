@@ -33,6 +33,10 @@ TEST(RoundTrip, Tick) {
 TEST(RoundTrip, Sense) {
   EXPECT_EQ(there_and_back(examples::sense()).value(), examples::sense());
 }
+TEST(RoundTrip, CommandAndInject) {
+  EXPECT_EQ(there_and_back(examples::command()).value(), examples::command());
+  EXPECT_EQ(there_and_back(examples::inject()).value(), examples::inject());
+}
 TEST(RoundTrip, Beacon) {
   EXPECT_EQ(there_and_back(examples::beacon()).value(), examples::beacon());
 }

@@ -1,0 +1,41 @@
+#include "groundstation/record/gaps.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace skein {
+
+void Gaps::note(const bus::RawSample& sample, bool is_world, AgentId agent) {
+  const auto [place, is_new] = writers_.try_emplace(sample.writer);
+  Writer& writer = place->second;
+  if (is_new) writer = {sample.topic, is_world, agent, sample.sequence, sample.sequence, 0};
+  writer.first = std::min(writer.first, sample.sequence);
+  writer.last = std::max(writer.last, sample.sequence);
+  ++writer.kept;
+}
+
+std::uint64_t Gaps::lost() const {
+  std::uint64_t sum = 0;
+  for (const auto& [key, writer] : writers_) sum += writer.lost();
+  return sum;
+}
+
+mcap::Texts Gaps::texts() const {
+  mcap::Texts texts{{"lost", std::to_string(lost())}};
+  for (const auto& [key, writer] : writers_) {
+    std::string name = name_of(writer);
+    for (int copy = 2; texts.contains(name); ++copy) name = fmt::format("{} #{}", name_of(writer), copy);
+    texts[name] = fmt::format("kept {} lost {} from {} to {}", writer.kept, writer.lost(), writer.first, writer.last);
+  }
+  return texts;
+}
+
+std::string name_of(const Gaps::Writer& writer) {
+  const auto topic = bus::topic(writer.topic).name;
+  if (!writer.is_world) return fmt::format("{} of agent {}", topic, writer.agent);
+  if (writer.topic == bus::TopicId::Sense) return fmt::format("{} of world for agent {}", topic, writer.agent);
+  return fmt::format("{} of world", topic);
+}
+
+}  // namespace skein

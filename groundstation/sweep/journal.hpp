@@ -1,0 +1,48 @@
+// The runs of a sweep that are done, in a file, so that one that was interrupted can go on.
+//
+// JSON lines: the first says of what sweep (version, scenario hash of each combination), each other holds a run with
+// its combination's scenario hash (which covers text and overrides) and its seed. A line is written when its run is
+// done, at once; a last line that is torn is cut off, its run is made again. Numbers keep every bit, so that a sweep
+// that went on prints what one without interruption prints, wall times aside.
+// Source: none. Departs from source: none. Complexity: O(log runs) a question, O(bytes) a run.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace skein {
+
+/// A journal that cannot be used; what() is one line.
+struct JournalRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class SweepJournal {
+ public:
+  /// Goes on with the file, or begins it. @param hashes scenario hash of each combination, in their order
+  /// @throws JournalRefused if it is of another sweep or version, no journal, or cannot be written
+  SweepJournal(const std::string& path, const std::vector<std::uint64_t>& hashes);
+
+  /// The run of that combination and seed; nullptr: it was not made yet.
+  [[nodiscard]] const nlohmann::ordered_json* find(std::size_t combination, std::uint64_t seed) const;
+  /// @throws JournalRefused if it cannot be written
+  void add(std::size_t combination, const nlohmann::ordered_json& run);
+
+ private:
+  void read(const std::string& text, const std::string& first);
+  void put(const std::string& line);
+
+  std::string path_;
+  std::vector<std::string> hashes_;
+  std::map<std::pair<std::string, std::uint64_t>, nlohmann::ordered_json> runs_;
+  std::size_t whole_ = 0;  ///< bytes of whole lines
+  std::ofstream file_;
+};
+
+}  // namespace skein

@@ -1,0 +1,41 @@
+#include "groundstation/sweep/progress.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace skein {
+namespace {
+
+std::string duration(double seconds) {
+  const auto whole = static_cast<std::uint64_t>(std::ceil(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace
+
+std::string progress_text(std::size_t done, std::size_t of, std::size_t before, double elapsed_s) {
+  const std::string text = fmt::format("{} of {} runs", done, of);
+  if (done <= before || done == of) return text;
+  const double left_s = elapsed_s / static_cast<double>(done - before) * static_cast<double>(of - done);
+  return fmt::format("{}, {} left", text, duration(left_s));
+}
+
+void ProgressLine::show(std::size_t done, std::size_t of, double now_s) {
+  if (kind_ == ProgressKind::None) return;
+  const bool terminal = kind_ == ProgressKind::Terminal;
+  if (done != of && now_s - shown_s_ < (terminal ? kTerminal_s : kLines_s)) return;
+  shown_s_ = now_s;
+  const std::string text = what_ + ": " + progress_text(done, of, before_, now_s - start_s_);
+  out_ << (terminal ? "\r\x1b[K" + text : text + "\n") << std::flush;
+  open_ = terminal;
+}
+
+void ProgressLine::end() {
+  if (open_) out_ << "\n" << std::flush;
+  open_ = false;
+}
+
+}  // namespace skein

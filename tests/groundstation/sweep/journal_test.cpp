@@ -1,0 +1,150 @@
+// A sweep that goes on from its journal gives what one without interruption gives; another's journal is refused.
+#include "groundstation/sweep/journal.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+
+#include "groundstation/sweep/sweep.hpp"
+
+namespace skein {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ::testing::HasSubstr;
+
+class Journal : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::remove(path); }
+  void TearDown() override { std::filesystem::remove(path); }
+
+  static std::string text_of(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void write(const std::string& text) const { std::ofstream(path, std::ios::binary) << text; }
+  [[nodiscard]] std::string refusal(const std::vector<std::uint64_t>& hashes) const {
+    try {
+      const SweepJournal journal(path, hashes);
+      return "";
+    } catch (const JournalRefused& refused) {
+      return refused.what();
+    }
+  }
+  [[nodiscard]] SweepPlan plan() const {
+    SweepPlan sweep;
+    sweep.scenario = SKEIN_SOURCE_DIR "/tests/data/small.yaml";
+    sweep.keys = {{"planner.particles", {"6", "12"}}};
+    sweep.first_seed = 3;
+    sweep.runs = 3;
+    sweep.journal = path;
+    return sweep;
+  }
+
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("skein-journal-" + std::to_string(::getpid()))).string();
+};
+
+Json run(std::uint64_t seed) {
+  return {{"seed", seed}, {"exit_code", 0}, {"figures", {{"a", 0.1}, {"b", 1e-300}, {"c", 7}}}};
+}
+
+TEST_F(Journal, KeepsRunsByScenarioAndSeedToTheLastBit) {
+  {
+    SweepJournal journal(path, {1, 2});
+    journal.add(0, run(5));
+    journal.add(1, run(UINT64_MAX));
+  }
+  const SweepJournal again(path, {1, 2});
+  ASSERT_NE(again.find(0, 5), nullptr);
+  EXPECT_EQ(again.find(0, 5)->dump(), run(5).dump());
+  ASSERT_NE(again.find(1, UINT64_MAX), nullptr);
+  EXPECT_EQ(again.find(1, 5), nullptr);
+  EXPECT_EQ(again.find(0, 6), nullptr);
+}
+
+TEST_F(Journal, ATornLastLineIsCutOff) {
+  {
+    SweepJournal journal(path, {1});
+    journal.add(0, run(5));
+    journal.add(0, run(6));
+  }
+  const std::string whole = text_of(path);
+  const std::size_t second = whole.rfind('\n', whole.size() - 2) + 1;
+  for (const std::size_t size : {second, second + 1, whole.size() - 1}) {
+    write(whole.substr(0, size));
+    {
+      SweepJournal journal(path, {1});
+      EXPECT_NE(journal.find(0, 5), nullptr);
+      EXPECT_EQ(journal.find(0, 6), nullptr);
+      journal.add(0, run(6));
+    }
+    EXPECT_EQ(text_of(path), whole);
+  }
+  write(whole.substr(0, 10));  // torn in its first line
+  EXPECT_EQ(refusal({1}), "");
+}
+
+TEST_F(Journal, AnotherSweepsIsRefusedAndLeftAlone) {
+  { SweepJournal(path, {1, 2}).add(0, run(5)); }
+  const std::string before = text_of(path);
+  for (const std::vector<std::uint64_t>& hashes : {std::vector<std::uint64_t>{1}, {2, 1}, {1, 2, 3}}) {
+    EXPECT_THAT(refusal(hashes), HasSubstr("it is the journal of another sweep"));
+  }
+  EXPECT_EQ(text_of(path), before);
+  std::string other = before;
+  other.replace(other.find("\"version\":\"") + 11, 1, "9");
+  write(other);
+  EXPECT_THAT(refusal({1, 2}), HasSubstr("another version"));
+  for (const char* text : {"hello\n", "hello", "{}\n"}) {
+    write(text);
+    EXPECT_EQ(refusal({1, 2}), path + ": it is no journal of a sweep");
+    EXPECT_EQ(text_of(path), text);
+  }
+  write(before + "[1]\n");
+  EXPECT_EQ(refusal({1, 2}), path + ":3: it is no run of a sweep");
+}
+
+TEST_F(Journal, OneThatCannotBeWrittenIsRefused) {
+  EXPECT_THROW(SweepJournal("/nowhere/at/all", {1}), JournalRefused);
+  EXPECT_THROW(SweepJournal("/dev/full", {1}), JournalRefused);
+}
+
+TEST_F(Journal, ASweepThatGoesOnEqualsOneWithoutInterruption) {
+  SweepPlan whole = plan();
+  const std::string expected = run_sweep(whole).rows.dump();  // its journal holds its wall times too
+  const std::string journal = text_of(path);
+  std::size_t made = 0;
+  std::size_t before = SIZE_MAX;
+  whole.on_progress = [&](std::size_t, std::size_t) { ++made; };
+  whole.on_resume = [&](std::size_t done) { before = done; };
+  EXPECT_EQ(run_sweep(whole).rows.dump(), expected);
+  EXPECT_EQ(made, 0U);
+  EXPECT_EQ(before, 6U);
+
+  std::filesystem::remove(path);
+  SweepPlan interrupted = plan();
+  interrupted.stop = [calls = 0]() mutable { return ++calls == 2; };
+  EXPECT_TRUE(run_sweep(interrupted).stopped);
+  whole.jobs = 3;
+  const Json rows = run_sweep(whole).rows;
+  EXPECT_EQ(made, 4U);
+  EXPECT_EQ(before, 2U);
+  static const std::set<std::string> kTimed{"discovery_s", "plan_s", "rounds_per_s", "steps_per_s", "realtime_factor"};
+  const auto timeless = [](Json all) {
+    for (Json& row : all) {
+      for (const std::string& name : kTimed) row["figures"].erase(name);
+      for (Json& one : row["per_run"]) {
+        for (const std::string& name : kTimed) one["figures"].erase(name);
+      }
+    }
+    return all.dump();
+  };
+  EXPECT_EQ(timeless(rows), timeless(Json::parse(expected)));
+}
+
+}  // namespace
+}  // namespace skein
