@@ -12,7 +12,6 @@
 namespace skein {
 namespace {
 
-using figure::FigureKind;
 using figure::Sketch;
 
 constexpr int kBad = 2;
@@ -28,7 +27,7 @@ struct PlotArguments {
 };
 
 std::string folder_for(const std::string& out) {
-  const std::string folder = out.empty() ? "." : out;
+  std::string folder = out.empty() ? "." : out;
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error(fmt::format("cannot make {}: {}", folder, error.message()));

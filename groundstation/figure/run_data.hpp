@@ -88,7 +88,7 @@ class RunCollector {
   struct Key {
     AgentId agent = 0;
     std::uint32_t round = 0;
-    auto operator<=>(const Key&) const = default;
+    auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm of clang-tidy 14
   };
   template <typename Wire, typename Use>
   void take(std::span<const std::uint8_t> payload, const Use& use);

@@ -149,6 +149,7 @@ Page& Page::objects(std::string_view heading_text, const Json& list, std::size_t
   for (const Json& item : list) {
     if (rows.size() == most_rows) break;
     std::vector<std::string> row;
+    row.reserve(columns.size());
     for (const std::string& column : columns) row.push_back(text_of(item.value(column, Json())));
     rows.push_back(std::move(row));
   }

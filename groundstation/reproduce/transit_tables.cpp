@@ -119,6 +119,7 @@ Table fig8(const Results& results) {
 Table fig9(const Results& results) {
   const std::vector<Planner>& planners = planners_of_fig5();
   std::vector<Flights> by_planner;
+  by_planner.reserve(planners.size());
   for (const Planner& planner : planners) {
     by_planner.push_back(flights_of(results, "fig9", std::vector<Override>{{"planner.name", planner.name}}));
   }

@@ -17,7 +17,7 @@ std::string duration(double seconds) {
 }  // namespace
 
 std::string progress_text(std::size_t done, std::size_t of, std::size_t before, double elapsed_s) {
-  const std::string text = fmt::format("{} of {} runs", done, of);
+  std::string text = fmt::format("{} of {} runs", done, of);
   if (done <= before || done == of) return text;
   const double left_s = elapsed_s / static_cast<double>(done - before) * static_cast<double>(of - done);
   return fmt::format("{}, {} left", text, duration(left_s));

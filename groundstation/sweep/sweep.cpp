@@ -137,6 +137,7 @@ namespace {
 std::optional<SweepJournal> journal_of(const SweepPlan& plan, const std::vector<Scenario>& scenarios) {
   if (plan.journal.empty()) return std::nullopt;
   std::vector<std::uint64_t> hashes;
+  hashes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios) hashes.push_back(scenario.scenario_hash);
   return SweepJournal(plan.journal, hashes);
 }

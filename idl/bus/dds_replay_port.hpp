@@ -21,7 +21,8 @@ struct ReplayWriter {
   TopicId topic = TopicId::Tick;
   bool from_world = false;
   AgentId agent = kWorldId;  ///< of a topic with a partition an agent; else not used
-  auto operator<=>(const ReplayWriter&) const = default;
+  auto operator<=>(const ReplayWriter&) const =
+      default;  // NOLINT(modernize-use-nullptr): a false alarm of clang-tidy 14
 };
 
 class DdsReplayPort {

@@ -90,7 +90,9 @@ class Verbs : public testing::Test {
         "--domain",      kDomain, "--swarm", kLive,    "--realtime", "20"};
     if (needs == Needs::Start) command.emplace_back("--wait-start");
     auto run = std::make_unique<Program>(command);
-    if (needs == Needs::Swarm) EXPECT_TRUE(run->read_until("flight: step 1,", 60.0));
+    if (needs == Needs::Swarm) {
+      EXPECT_TRUE(run->read_until("flight: step 1,", 60.0));
+    }
     return run;
   }
 

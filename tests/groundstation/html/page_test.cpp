@@ -92,12 +92,15 @@ TEST(RunPage, HoldsSeedHashScenarioAndCommands) {
   }
 }
 
-TEST(RunPage, LossesAreRepeatedByTheCommandThatRunsItAgain) {
+TEST(RunPage, LossesAndCommandsAreRepeatedByTheCommandThatRunsItAgain) {
   figure::RunInput input = run_input();
-  EXPECT_THAT(rerun_command(input), Not(HasSubstr("--roster")));
-  input.report["roster_changes"] = {{{"step", 1}}};
   input.name = "runs/one";
-  EXPECT_THAT(rerun_command(input), HasSubstr("--in-process --roster runs/one/report.json"));
+  for (const char* events : {"roster_changes", "commands", "injections"}) {
+    for (const char* name : {"roster_changes", "commands", "injections"}) input.report[name] = nlohmann::json::array();
+    EXPECT_THAT(rerun_command(input), Not(HasSubstr("--roster")));
+    input.report[events] = {{{"step", 1}}};
+    EXPECT_THAT(rerun_command(input), HasSubstr("--in-process --roster runs/one/report.json"));
+  }
   input.facts["recorder"] = "barrier";
   EXPECT_EQ(rerun_command(input), "skein verify runs/one --rerun");
 }
