@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "groundstation/record/sample_head.hpp"
+
 namespace skein {
 
 void Gaps::note(const bus::RawSample& sample, bool is_world, AgentId agent) {
@@ -33,9 +35,9 @@ mcap::Texts Gaps::texts() const {
 
 std::string name_of(const Gaps::Writer& writer) {
   const auto topic = bus::topic(writer.topic).name;
-  if (!writer.is_world) return fmt::format("{} of agent {}", topic, writer.agent);
-  if (writer.topic == bus::TopicId::Sense) return fmt::format("{} of world for agent {}", topic, writer.agent);
-  return fmt::format("{} of world", topic);
+  const std::string who = writer_of(writer.topic, writer.is_world, writer.agent);
+  if (writer.topic == bus::TopicId::Sense) return fmt::format("{} of {} for agent {}", topic, who, writer.agent);
+  return fmt::format("{} of {}", topic, who);
 }
 
 }  // namespace skein

@@ -48,10 +48,11 @@ void Recording::add(const TakenSample& sample) {
   note_time(sample, *head);
   Known& known = channel(sample, head->agent);
   ++known.counted;
+  const bool of_round = bus::topic(sample.topic).writers != bus::kObserverRole;
   mcap::Message message;
   message.channel_id = known.id;
   message.sequence = sample.sequence == 0 ? known.counted : static_cast<std::uint32_t>(sample.sequence);
-  message.log_time = time_of(head->round);
+  message.log_time = time_of(of_round ? head->round : newest());
   message.publish_time = static_cast<std::uint64_t>(head->stamp_ns);
   message.data = sample.payload;
   writer_.write(message);
@@ -92,7 +93,7 @@ Recording::Known& Recording::channel(const TakenSample& sample, AgentId agent) {
   if (!schemas_.contains(spec.id)) {
     schemas_[spec.id] = writer_.add_schema(std::string(spec.type), "omgidl", bytes_of(schema::idl_of(spec.id)));
   }
-  mcap::Texts texts{{"writer", sample.from_world ? "world" : fmt::format("agent {}", agent)}};
+  mcap::Texts texts{{"writer", writer_of(sample.topic, sample.from_world, agent)}};
   if (spec.keyed) texts["agent"] = std::to_string(agent);
   place->second.id = writer_.add_channel(schemas_[spec.id], std::string(spec.name), "cdr", texts);
   return place->second;

@@ -70,6 +70,7 @@ class Recording {
   void note_run(const TakenSample& sample, const SampleHead& head);
   void note_time(const TakenSample& sample, const SampleHead& head);
   [[nodiscard]] std::uint64_t time_of(std::uint32_t round) const;
+  [[nodiscard]] std::uint32_t newest() const { return times_.empty() ? 0 : times_.rbegin()->first; }
 
   mcap::Writer writer_;
   std::map<bus::TopicId, std::uint16_t> schemas_;

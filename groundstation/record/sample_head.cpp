@@ -1,5 +1,7 @@
 #include "groundstation/record/sample_head.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -28,6 +30,11 @@ Number number_at(std::span<const std::uint8_t> payload, std::size_t at) {
 }
 
 }  // namespace
+
+std::string writer_of(bus::TopicId topic, bool from_world, AgentId agent) {
+  if (bus::topic(topic).writers == bus::kObserverRole) return "ground station";
+  return from_world ? "world" : fmt::format("agent {}", agent);
+}
 
 std::optional<SampleHead> head_of(bus::TopicId topic, std::span<const std::uint8_t> payload) {
   const bool is_mission =  // or of no round either

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "idl/bus/topics.hpp"
 #include "planner/core/mission/mission.hpp"
@@ -20,8 +21,11 @@ struct SampleHead {
   std::uint32_t sender = 0;
   std::uint32_t incarnation = 0;
   AgentId agent = kWorldId;  ///< of a keyed topic
-  std::uint32_t round = 0;   ///< 0 of a mission
+  std::uint32_t round = 0;   ///< 0 of a mission, and of what a ground station says
 };
+
+/// Who writes a sample of the topic: "world", "agent 3", "ground station".
+[[nodiscard]] std::string writer_of(bus::TopicId topic, bool from_world, AgentId agent);
 
 /// Nothing if the bytes are too short for it.
 [[nodiscard]] std::optional<SampleHead> head_of(bus::TopicId topic, std::span<const std::uint8_t> payload);

@@ -115,8 +115,11 @@ std::array<std::uint32_t, 2 * kTopics.size()> PeerBook::endpoints(const ProcessK
   const std::lock_guard lock(mutex_);
   const auto alive = newest();
   for (const auto& [process, peer] : peers_) {
-    if (process == own || (peer.info && (peer.info->nonce == own_.nonce || alive.at(peer.info->nonce) != &peer)))
-      continue;
+    if (process == own) continue;
+    if (peer.info) {
+      const auto known = alive.find(peer.info->nonce);
+      if (known == alive.end() || known->second != &peer) continue;
+    }
     for (const auto& [entity, bit] : peer.found) ++counts[bit];
   }
   return counts;

@@ -7,7 +7,9 @@
 #include "groundstation/mcap/reader.hpp"
 #include "groundstation/record/tap.hpp"
 #include "groundstation/schema/topics.hpp"
+#include "idl/convert/cdr.hpp"
 #include "tests/groundstation/record/recorded.hpp"
+#include "tests/idl/convert/examples.hpp"
 
 namespace skein {
 namespace {
@@ -85,6 +87,28 @@ TEST(Recording, HasAChannelForEachTopicWriterAndAgentWithTimesThatDoNotGoBack) {
     sequence = message.sequence;
   });
   EXPECT_GT(reader.contents().statistics.end_time, 1'000'000'000U);  // simulated time
+}
+
+TEST(Recording, WhatAGroundStationSaysIsOfTheNewestRound) {
+  mcap::Bytes file;
+  Recording recording([&](mcap::ByteView bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); },
+                      {"attached", "geese", nullptr, false});
+  Tick tick = examples::tick();
+  tick.round = 7;
+  tick.time_s = 2.5;
+  const Bytes ticked = to_cdr(to_wire(tick, examples::kStamp));
+  const Bytes told = to_cdr(to_wire(examples::command(), examples::kStamp));
+  recording.add({bus::TopicId::Tick, true, 1, ticked});
+  recording.add({bus::TopicId::Command, false, 1, told});
+  recording.finish({});
+  const mcap::Reader reader(file);
+  std::vector<std::pair<std::string, std::uint64_t>> said;
+  reader.for_each([&](const mcap::Message& message) {
+    const mcap::Channel& channel = reader.contents().channels.at(message.channel_id);
+    said.emplace_back(channel.metadata.at("writer"), message.log_time);
+  });
+  EXPECT_THAT(said,
+              ::testing::ElementsAre(std::pair("world", 2'500'000'007U), std::pair("ground station", 2'500'000'007U)));
 }
 
 TEST(Recording, CountsWhatIsNoSample) {

@@ -175,6 +175,15 @@ TEST(PeerBook, AProcessOfAnotherSwarmMayHaveTheSameNonce) {
   }
 }
 
+TEST(PeerBook, EndpointsOfAnotherSwarmAreNotCounted) {
+  PeerBook book(info(Role::Observer, 5));
+  PeerInfo other = info(Role::World, 7);
+  other.swarm = "ducks";
+  book.discovered(kFirst, other);
+  match(book, kFirst, Role::World);
+  EXPECT_THAT(book.endpoints(ProcessKey{3}), ::testing::Each(0U));
+}
+
 TEST(PeerBook, TheNewestParticipantOfAProcessIsTheProcess) {
   PeerBook book(info(Role::World, 5));
   const PeerInfo agent = info(Role::Agent, 7);
