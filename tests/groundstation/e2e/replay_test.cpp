@@ -32,7 +32,7 @@ class Replay : public testing::Test {
   }
   /// What `skein record` hears of a replay.
   std::string heard_of(const std::string& path, const std::string& swarm, const std::vector<std::string>& more) {
-    const std::string heard = out.path() + "/" + swarm + ".mcap";
+    std::string heard = out.path() + "/" + swarm + ".mcap";
     Program recorder({binary("skein"), "record", "--domain", kDomain, "--swarm", swarm, "-o", heard, "--json"});
     std::vector<std::string> waiting{"--wait", "1"};
     waiting.insert(waiting.end(), more.begin(), more.end());

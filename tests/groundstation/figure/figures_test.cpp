@@ -13,7 +13,6 @@ namespace skein::figure {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 RunInput small_run(const std::string& scenario_name) {
   const Scenario scenario = tests::small_scenario(scenario_name, 7);
