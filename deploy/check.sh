@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sets up as quickstart.sh does, builds everything with its tests, and runs them; then sanitizers, fuzzing, clang-tidy on
-# what changed, and beside those the tests in containers. The last lines say what held.
+# Sets up as quickstart.sh does, builds everything with its tests, and runs them, those in containers last; beside them,
+# at the lowest priority, clang-tidy on what changed, sanitizers and fuzzing. The last lines say what held.
 #
 # usage: deploy/check.sh [--no-containers]   without the tests in containers: for where there is no engine or no root
 set -euo pipefail
@@ -38,21 +38,26 @@ start() {
   groups+=($!)
 }
 run_tests() { start ctest --test-dir build/release --no-tests=error --output-on-failure "$@"; }
-static() { deploy/tidy.sh && deploy/sanitize.sh; }
 
-echo 'check: 3/4 tests'
-run_tests --label-exclude '^(bench|container)$' --timeout 600 -j2
-wait "$!"
-
-echo 'check: 4/4 containers; clang-tidy, sanitizers, fuzzing'
-start static >build/static.log 2>&1
-beside=$!
+echo 'check: 3/4 tests; beside them clang-tidy and the build for the sanitizers'
+start nice -n 19 bash -c 'deploy/tidy.sh && deploy/sanitize.sh --build' >build/static.log 2>&1
+static=$!
 held=0
+run_tests --label-exclude '^(bench|container)$' --timeout 600 -j2
+wait "$!" || held=$?
+
+echo 'check: 4/4 sanitizers and fuzzing; beside them containers'
+if wait "$static"; then
+  start nice -n 19 deploy/sanitize.sh >>build/static.log 2>&1
+  static=$!
+else
+  held=1
+fi
 if [[ $purpose == container ]]; then
   run_tests -V -L '^container$'
   wait "$!" || held=$?
 fi
-wait "$beside" || { held=$?; tail -n 100 build/static.log >&2; }
+wait "$static" || { held=$?; tail -n 100 build/static.log >&2; }
 grep -E '^(tidy|sanitize): ' build/static.log || true
 ((held == 0)) && echo 'check: all of it held' || echo 'check: something did not hold; see above'
 exit "$held"

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Runs the swarm and the readers of foreign bytes under the address and undefined-behaviour sanitizers (preset 'dev').
 #
-# usage: deploy/sanitize.sh [--full]     --full: every unit and property test too, and a longer fuzzing: an hour or two
+# usage: deploy/sanitize.sh [--full | --build]
+#   --full    every unit and property test too, and a longer fuzzing: an hour or two
+#   --build   only builds what it runs
 # Needs what `deploy/setup.sh check` installs, and build/release/bin/skein, of which it takes the state hashes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,9 +12,9 @@ inputs=20000 # mutated inputs for each fuzz target
 targets=(wire_fuzz scenario_fuzz round_record_fuzz)
 binaries=(skein-agent skein-simworld)
 case ${1:-} in
-  '') ;;
+  '' | --build) ;;
   --full) inputs=2000000 binaries=(all) ;;
-  *) echo "sanitize: unknown argument '$1'; allowed: --full" >&2 && exit 2 ;;
+  *) echo "sanitize: unknown argument '$1'; allowed: --full, --build" >&2 && exit 2 ;;
 esac
 build=build/dev
 work=$(mktemp -d)
@@ -75,6 +77,7 @@ fly() {
 echo 'sanitize: 1/3 build'
 cmake --preset dev --log-level=WARNING -DSKEIN_TESTS=ON >/dev/null
 cmake --build "$build" --target "${targets[@]}" "${binaries[@]}" idl_dds_renewal_test -- --quiet
+[[ ${1:-} != --build ]] || exit 0
 echo 'sanitize: 2/3 swarms'
 fly rendezvous-2d 3
 fly transit-partition 6

@@ -1,4 +1,4 @@
-"""Builds the images, runs the container tests, and prints at its end what was injected and what happened.
+"""Builds the images, runs the container tests, two at a time, and prints at its end what was injected and what happened.
 
 usage: suite.py [--only PATTERN ...]     PATTERN as in python3 -m unittest -k
        suite.py --environment            makes the base image, prints what podman and podman-compose need, for eval
@@ -8,7 +8,9 @@ import argparse
 import fcntl
 import shlex
 import sys
+import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from case import Suite
@@ -17,8 +19,9 @@ from engine import Engine
 from image import ensure_base, ensure_image
 from swarm import LABEL
 
-_MODULES = ("whole_runs_test", "deaths_test", "network_test", "reconnect_test", "partition_test",
-            "machine_test", "compose_test")
+_MODULES = ("partition_test", "compose_test", "whole_runs_test", "deaths_test", "network_test", "reconnect_test",
+            "machine_test")  # the longest first
+_LANES = 2  # a test waits more than it computes, and is alone in its own network
 
 
 def table(rows):
@@ -45,6 +48,31 @@ def print_environment():
     return 0
 
 
+def cases_of(tests):
+    """The single tests of a suite of suites."""
+    for test in tests:
+        yield from cases_of(test) if isinstance(test, unittest.TestSuite) else (test,)
+
+
+def run_one(case):
+    """Runs one test. @return what its failures say, subtests' too: none, if it held"""
+    result = unittest.TestResult()
+    begin_s = time.monotonic()
+    case.run(result)
+    said = [text for _, text in result.failures + result.errors]
+    print(f"{case.id()} {'FAILED' if said else 'held'} in {time.monotonic() - begin_s:.0f} s", *said, sep="\n",
+          file=sys.stderr, flush=True)
+    return said
+
+
+def run_all(cases):
+    """Whether all of them held."""
+    with ThreadPoolExecutor(_LANES) as lanes:
+        failed = sum(bool(said) for said in lanes.map(run_one, cases))
+    print(f"container: {len(cases) - failed} of {len(cases)} tests held", file=sys.stderr)
+    return failed == 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", action="append", default=[], metavar="PATTERN")
@@ -56,8 +84,8 @@ def main():
     loader = unittest.TestLoader()
     if arguments.only:
         loader.testNamePatterns = [f"*{pattern}*" for pattern in arguments.only]
-    tests = loader.loadTestsFromNames(_MODULES)
-    if tests.countTestCases() == 0:
+    cases = list(cases_of(loader.loadTestsFromNames(_MODULES)))
+    if not cases:
         parser.error("no test has such a name")
     engine = Engine()
     engine.cache.mkdir(parents=True, exist_ok=True)
@@ -65,10 +93,10 @@ def main():
         fcntl.flock(lock, fcntl.LOCK_EX)  # one suite at a time: what carries the label is of one that was killed
         remove_leftovers(engine)
         Suite.engine, Suite.image = engine, ensure_image(engine)
-        result = unittest.TextTestRunner(verbosity=2, stream=sys.stderr).run(tests)
+        held = run_all(cases)
         remove_leftovers(engine)
-    print(table(Suite.rows))
-    return 0 if result.wasSuccessful() else 1
+    print(table(sorted(Suite.rows)))
+    return 0 if held else 1
 
 
 if __name__ == "__main__":
