@@ -12,6 +12,7 @@
 
 #include "groundstation/chaos/campaign.hpp"
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/sweep/journal.hpp"
 #include "groundstation/sweep/junit.hpp"
 #include "groundstation/sweep/progress.hpp"
 #include "idl/process/poll.hpp"
@@ -36,6 +37,7 @@ struct ChaosArguments {
   std::string faults;
   double limit_s = 120.0;
   std::string junit;
+  std::string resume;
   bool json = false;
 };
 
@@ -75,6 +77,7 @@ chaos::CampaignPlan plan_of(ChaosArguments& arguments, const Scenario& scenario)
   plan.seed = scenario.mission.seed;
   plan.runs = arguments.runs;
   plan.limit_s = arguments.limit_s;
+  plan.journal = arguments.resume;
   const CommonFlags& common = arguments.world.common;
   plan.arguments = {"--domain",          std::to_string(common.domain),
                     "--profile",         common.profile,
@@ -123,9 +126,10 @@ int campaign(ChaosArguments& arguments, const Scenario& scenario) {
   std::ofstream junit;
   if (!arguments.junit.empty()) junit.open(arguments.junit, std::ios::binary);
   if (!junit) throw std::runtime_error(fmt::format("--junit: cannot write {}", arguments.junit));
-  plan.on_run = [&, start_s = steady_now_s()](const chaos::RunOutcome& outcome, std::size_t done) {
-    std::cerr << fmt::format("{}: seed {}, {}: {}{}\n", progress_text(done, plan.runs, 0, steady_now_s() - start_s),
-                             outcome.seed, outcome.fault, outcome.reason,
+  plan.on_run = [&, made = std::size_t{0}, start_s = steady_now_s()](const chaos::RunOutcome& outcome,
+                                                                     std::size_t done) mutable {
+    const std::string progress = progress_text(done, plan.runs, done - ++made, steady_now_s() - start_s);
+    std::cerr << fmt::format("{}: seed {}, {}: {}{}\n", progress, outcome.seed, outcome.fault, outcome.reason,
                              chaos::is_sound(outcome) ? "" : fmt::format(" [kept in {}/{}]", plan.folder, done - 1))
               << std::flush;
   };
@@ -160,6 +164,9 @@ int run(ChaosArguments& arguments) {
     std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (scenario && let_maps_settle(*scenario, overrides)) scenario = load_or_complain(arguments.world);
     return scenario ? campaign(arguments, *scenario) : static_cast<int>(ExitCode::Usage);
+  } catch (const JournalRefused& refused) {
+    std::cerr << "skein chaos: --resume: " << refused.what() << "\n";
+    return static_cast<int>(ExitCode::Usage);
   } catch (const std::exception& error) {
     std::cerr << "skein chaos: " << error.what() << "\n";
     return static_cast<int>(ExitCode::Usage);
@@ -181,6 +188,8 @@ VerbAction add_chaos_verb(CLI::App& app) {
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   verb->add_option("--out", arguments->world.out, "folder for the runs; those that kept every promise are removed");
+  verb->add_option("--resume", arguments->resume,
+                   "FILE of the runs that are done: what it has is not run again; it is made if it is not there");
   verb->add_option("--junit", arguments->junit, "FILE.xml: a test case a run, broken invariants as failures");
   verb->add_flag("--json", arguments->json, "print the table as JSON on standard output");
   verb->footer("Example: skein chaos deploy/scenarios/rendezvous-ring.yaml --runs 20 --seed 1");

@@ -134,16 +134,16 @@ Json figures_of(const Json& report) {
 
 namespace {
 
-std::optional<SweepJournal> journal_of(const SweepPlan& plan, const std::vector<Scenario>& scenarios) {
+std::optional<RunJournal> journal_of(const SweepPlan& plan, const std::vector<Scenario>& scenarios) {
   if (plan.journal.empty()) return std::nullopt;
   std::vector<std::uint64_t> hashes;
   hashes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios) hashes.push_back(scenario.scenario_hash);
-  return SweepJournal(plan.journal, hashes);
+  return RunJournal(plan.journal, "sweep", hashes);
 }
 
 /// Takes what the journal has, but for the first run of a row, if that is to leave its curves. @return how many
-std::size_t take_done(const SweepPlan& plan, const SweepJournal& journal, std::vector<std::vector<Json>>& results) {
+std::size_t take_done(const SweepPlan& plan, const RunJournal& journal, std::vector<std::vector<Json>>& results) {
   std::size_t taken = 0;
   for (std::size_t row = 0; row < results.size(); ++row) {
     for (std::size_t i = plan.curves.empty() ? 0 : 1; i < results[row].size(); ++i) {
@@ -171,7 +171,7 @@ SweepResult run_sweep(const SweepPlan& plan) {
   for (std::size_t i = 0; i < curves.size(); ++i) write_zones(scenarios[i], curves[i]);
   const std::size_t total = combinations.size() * plan.runs;
   std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));
-  std::optional<SweepJournal> journal = journal_of(plan, scenarios);
+  std::optional<RunJournal> journal = journal_of(plan, scenarios);
   std::size_t done = journal ? take_done(plan, *journal, results) : 0;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stopped{false};

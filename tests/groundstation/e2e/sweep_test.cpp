@@ -66,7 +66,7 @@ TEST(Sweep, InterruptedItGoesOnFromItsJournal) {
   other.insert(other.end(), {"--set", "planner.particles=12"});
   const Ended refused = run_program(other, 60.0);
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("--resume: " + journal + ": it is the journal of another sweep"), std::string::npos);
+  EXPECT_NE(refused.err.find("--resume: " + journal + ": it is the journal of another skein sweep"), std::string::npos);
 }
 
 TEST(Sweep, WritesJunitAndSaysHowFarItIs) {

@@ -17,6 +17,7 @@ std::vector<FailureRow> job_rows() {
       {{"chaos", "$GOOD", "--faults", "$NONE"}, 2, "$NONE"},
       {{"chaos", "$GOOD", "--faults", "$TEXT"}, 2, "$TEXT"},
       {{"chaos", "$GOOD", "--runs", "1", "--junit", "$NONE/file"}, 2, "--junit: cannot write $NONE/file"},
+      {{"chaos", "$GOOD", "--runs", "1", "--resume", "$TEXT"}, 2, "--resume: $TEXT: it is no journal of skein chaos"},
       {{"chaos", "$GOOD", "--runs", "1", "--out", "/proc/nowhere", "--domain", "$DOMAIN"}, 2, "/proc/nowhere"},
 
       {{"doctor", "--agents", "0"}, 2, "--agents"},
@@ -44,6 +45,7 @@ std::vector<FailureRow> job_rows() {
       {{"reproduce", "survey"}, 2, "survey"},
       {{"reproduce", "all", "--seeds", "0"}, 2, "--seeds"},
       {{"reproduce", "all", "-o", "$NONE/x.md"}, 2, "$NONE/x.md"},
+      {{"reproduce", "all", "--resume", "$TEXT"}, 2, "--resume: $TEXT: it cannot be made"},
 
       {{"sweep"}, 2, "SCENARIO"},
       {{"sweep", "$NONE"}, 2, "$NONE"},
@@ -52,7 +54,7 @@ std::vector<FailureRow> job_rows() {
       {{"sweep", "$GOOD", "--seed", "18446744073709551615", "--runs", "3"}, 2, "--seed"},
       {{"sweep", "$GOOD", "--runs", "1", "--junit", "$NONE/file"}, 2, "--junit: cannot write $NONE/file"},
       {{"sweep", "$GOOD", "--runs", "1", "--resume", "$NONE/file"}, 2, "--resume: $NONE/file: it cannot be written"},
-      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$TEXT"}, 2, "--resume: $TEXT: it is no journal of a sweep"},
+      {{"sweep", "$GOOD", "--runs", "1", "--resume", "$TEXT"}, 2, "--resume: $TEXT: it is no journal of skein sweep"},
       {{"sweep", "$GOOD", "--runs", "1", "--curves", "/dev/null/curves"}, 2, "--curves"},
       {{"sweep", "$GOOD", "--runs", "1", "--report", "$NONE/x.html"}, 2, "--report"},
       {{"sweep", "$GOOD", "--runs", "1", "--set", "world.max_steps=3", "--require-success", "1"}, 1, "success rate"},
