@@ -191,6 +191,9 @@ void TransitBehaviour::decide(const Tick& tick, const Sense& sense) {
   hear(tick);
   const std::vector<CellChange> changed = map_.take_changes();
   const std::vector<gridnav::Neighbour> around = neighbours(sense, decision);
+  for (const HeardPeer& peer : sense.heard) {
+    if (peer.landed) navigator_.forget_held(peer.agent);
+  }
   if (doing_ == Doing::Land) doing_ = Doing::Landed;  // at rest from here on
   decision_ = navigator_.decide({decision, sense.pose.position_m, changed, around});
   std::vector<CellChange> marks;

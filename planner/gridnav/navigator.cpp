@@ -138,7 +138,7 @@ void Navigator::note_held(const Neighbour& neighbour) {
   if (held) held_[neighbour.id] = {neighbour.position_m, body_.radius_m + neighbour.radius_m + kMargin_m};
 }
 
-/// But the own one: there it must get past in any case.
+/// But those in which its own body is: there it must get past in any case.
 std::vector<CellIndex> Navigator::held_cells(const Vec3& own_m) const {
   const CellGrid& grid = task_.grid;
   std::set<CellIndex> cells;
@@ -155,7 +155,10 @@ std::vector<CellIndex> Navigator::held_cells(const Vec3& own_m) const {
           if (grid.contains(cell) && (in || near)) cells.insert(grid.index_of(cell));
         }
   }
-  cells.erase(grid.index_of(grid.cell_of(own_m)));
+  std::erase_if(cells, [&](CellIndex cell) {
+    const Box box = grid.box_of(grid.cell_at(cell));
+    return (own_m - own_m.cwiseMax(box.min_m).cwiseMin(box.max_m)).norm() <= body_.radius_m;
+  });
   return {cells.begin(), cells.end()};
 }
 
@@ -200,8 +203,8 @@ Announcement Navigator::travel(NavDecision& decision, bool flies, const NavInput
   self.own.to_go_m = to_go_m_;
   self.own.on_behalf_of = body_.id;
   const auto detours = [&] { return steering().detours(at); };
-  const Announcement said = steering().complete() ? negotiate(map_, self, around.plan.options, detours, others)
-                                                  : announce_plainly(self, around.plan.options, others);
+  Announcement said = steering().complete() ? negotiate(map_, self, around.plan.options, detours, others)
+                                            : announce_plainly(self, around.plan.options, others);
   const bool slow = flies && errand_ && errand_->step_m() < task_.step_m;
   if ((said.yielding || around.through || slow) && waited_ > 0) --waited_;
   return said;

@@ -58,6 +58,8 @@ class Navigator {
   void hold();
   void go_to(const Vec3& point_m, double speed_mps);
   void resume();
+  /// That one has landed: where it was held is free.
+  void forget_held(AgentId id) { held_.erase(id); }
   /// What it does by command, if anything.
   [[nodiscard]] std::optional<ErrandState> errand() const;
   /// Along the planner's way (m); negative: no way.

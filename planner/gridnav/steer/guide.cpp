@@ -22,6 +22,14 @@ bool Guide::block(const KnownMap& map, std::vector<CellIndex> cells) {
   return !changes.empty() && steering_->learn(map, changes);
 }
 
+/// Lines of sight too end at them.
+Plan Guide::plan_off_blocked(const Situation& at) {
+  if (blocked_.empty()) return steering_->plan(at);
+  KnownMap map = at.map;
+  for (const CellIndex cell : blocked_) map.set(cell, CellState::Occupied);
+  return steering_->plan({map, at.start_m, at.need, at.others});
+}
+
 Guide::Around Guide::plan(const Situation& at, std::span<const CellIndex> held) {
   Around around;
   if (complete() && (stale_ || !std::ranges::equal(held, held_))) {
@@ -29,10 +37,10 @@ Guide::Around Guide::plan(const Situation& at, std::span<const CellIndex> held) 
     around.changed = block(at.map, held_);
     stale_ = false;
   }
-  around.plan = steering_->plan(at);
+  around.plan = plan_off_blocked(at);
   if (around.plan.to_go_m < 0 && !blocked_.empty()) {
     around.changed = block(at.map, {}) || around.changed;
-    around.plan = steering_->plan(at);
+    around.plan = plan_off_blocked(at);
   }
   around.through = around.plan.to_go_m >= 0 && blocked_.empty() && !held_.empty();
   return around;

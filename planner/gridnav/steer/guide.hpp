@@ -35,6 +35,7 @@ class Guide {
   [[nodiscard]] Around plan(const Situation& at, std::span<const CellIndex> held);
 
  private:
+  [[nodiscard]] Plan plan_off_blocked(const Situation& at);
   bool block(const KnownMap& map, std::vector<CellIndex> cells);
 
   std::unique_ptr<Steering> steering_;

@@ -2,11 +2,14 @@
 // not landed arrives once all may go on, and the replay of the report gives the same state hash.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "groundstation/inprocess/in_process.hpp"
 #include "planner/core/random/random_stream.hpp"
 #include "simworld/report/report.hpp"
 #include "simworld/report/steering_report.hpp"
 #include "tests/groundstation/crossings.hpp"
+#include "tests/simworld/checkpoint/scratch.hpp"
 
 namespace skein {
 namespace {
@@ -56,12 +59,13 @@ std::vector<OrderedAt> random_orders(std::uint64_t seed, const Scenario& scenari
 struct Setting {
   const char* scenario;
   std::vector<Override> changes;
+  std::uint64_t seeds = 12;
 };
 
 class RandomTransitOrders : public testing::TestWithParam<Setting> {};
 
 TEST_P(RandomTransitOrders, TouchNobodyAndAllArriveAfterwards) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= GetParam().seeds; ++seed) {
     const Scenario scenario = transit_scenario(GetParam().scenario, seed, GetParam().changes);
     const InProcessResult run = run_with(scenario, random_orders(seed, scenario));
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -78,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Of, RandomTransitOrders,
                                          Setting{"transit-partition", {{"radio.loss", "0.2"}, {"step_s", "0.5"}}},
                                          Setting{"transit-power-station", {{"vehicles.agents", "4"}}},
                                          Setting{"transit-forest", {{"forest.density_per_m2", "0.004"}}},
-                                         Setting{"transit-power-station-3d", {{"radio.loss", "0.1"}}}));
+                                         Setting{"transit-power-station-3d", {{"radio.loss", "0.1"}}, 4}));
 
 TEST(TransitSteering, NobodyGivesUpBecauseOneIsHeld) {
   Scenario scenario = transit_scenario("transit-partition", 1);
@@ -102,6 +106,24 @@ TEST(TransitSteering, WhoLandsIsOutOfTheWay) {
   EXPECT_EQ(count_status(run.report, "arrived"), 4U);
   EXPECT_EQ(run.report.at("collisions"), 0);
   expect_replayed(scenario, run);
+}
+
+TEST(TransitSteering, TheDeathOfTheWorldForgetsNoOrder) {
+  const Scenario scenario = transit_scenario("transit-partition", 4);
+  InProcessOptions options;
+  options.orders = random_orders(4, scenario);
+  const InProcessResult whole = run_in_process(scenario, options);
+  const test::Scratch folder;
+  options.checkpoint = folder.path();
+  std::set<std::uint32_t> steps;  // before, with and after each order; round k + 1 is step k
+  for (const OrderedAt& order : options.orders) steps.insert({order.round - 2, order.round - 1, order.round});
+  const auto last = whole.report.at("steps").get<std::uint32_t>();
+  std::erase_if(steps, [&](std::uint32_t step) { return step == 0 || step >= last; });
+  for (const std::uint32_t step : steps) options.faults.push_back({FaultKind::Kill, kWorldId, Phase::Flying, step});
+  const InProcessResult disturbed = run_in_process(scenario, options);
+  EXPECT_EQ(disturbed.report.at("state_hash"), whole.report.at("state_hash"));
+  EXPECT_EQ(disturbed.report.at("commands"), whole.report.at("commands"));
+  EXPECT_EQ(disturbed.report.at("world_restarts"), steps.size());
 }
 
 TEST(TransitSteering, AStartChangesNothing) {

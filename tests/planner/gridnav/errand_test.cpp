@@ -103,6 +103,17 @@ TEST(Errand, OthersFlyAroundOneWhoIsHeld) {
   expect_clean(outcome);
 }
 
+TEST(Errand, AWayAroundIsNotLeftForTheStraightLine) {
+  const Layout layout = drawn({"....B...", ".######.", "a...b..A"}, 4.0);
+  Conditions conditions = with({{1, 2, What::Hold}});
+  conditions.radius_m = 1.9;
+  conditions.most_decisions = 100;
+  const Outcome outcome = fly(layout, conditions);
+  EXPECT_EQ(outcome.flights[0].status, NavStatus::Arrived);
+  EXPECT_NEAR(outcome.flights[0].length_m, 64.0, 1e-6) << "44 m around, once it heard of it 10 m on";
+  EXPECT_GE(outcome.closest_m, 3.8);
+}
+
 TEST(Errand, WhoWaitsForOneThatIsHeldSaysNeitherUnreachableNorDeadlock) {
   const Layout layout = drawn({"##########", "a..b....BA", "##########"}, 4.0);
   Conditions conditions = with({{1, 2, What::Hold}});
@@ -117,6 +128,25 @@ TEST(Errand, WhoWaitsForOneThatIsHeldSaysNeitherUnreachableNorDeadlock) {
   const Outcome resumed = fly(layout, conditions);
   EXPECT_EQ(resumed.count(NavStatus::Arrived), 2) << static_cast<int>(resumed.flights[0].status);
   EXPECT_GE(resumed.closest_m, 3.8);
+}
+
+TEST(Errand, WhereOneWasHeldIsKeptOffUntilItLands) {
+  const Layout layout = drawn({"......", ".####.", "a....A"}, 4.0);
+  Navigator navigator(mission_of(layout, {}), 1);
+  std::vector<CellChange> seen;
+  for (CellIndex n = 0; n < layout.grid.size(); ++n)
+    seen.push_back({n, layout.occupied[n] ? CellState::Occupied : CellState::Free});
+  Neighbour held{2, centre(3, 0), 0.25, Intent{}};
+  held.intent->decision = 1;
+  held.intent->from_m = held.intent->to_m = held.position_m;
+  held.intent->status = NavStatus::Held;
+  (void)navigator.decide({1, centre(0, 0), seen, std::span(&held, 1)});
+  EXPECT_NEAR(navigator.to_go_m(), 36.0, 1e-9) << "around";
+  (void)navigator.decide({2, Vec3(2.1, 2, 2), {}, {}});
+  EXPECT_NEAR(navigator.to_go_m(), 36.0, 1e-9) << "out of range it is remembered";
+  navigator.forget_held(2);
+  (void)navigator.decide({3, Vec3(2.2, 2, 2), {}, {}});
+  EXPECT_NEAR(navigator.to_go_m(), 20.0, 1e-9);
 }
 
 TEST(Errand, TwoThatAreSentToOnePointDoNotShareIt) {

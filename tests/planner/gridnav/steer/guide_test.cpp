@@ -32,6 +32,7 @@ struct Setting {
   }
   Guide::Around plan(const std::vector<Cell>& held) {
     std::vector<CellIndex> cells;
+    cells.reserve(held.size());
     for (const Cell& cell : held) cells.push_back(layout.grid.index_of(cell));
     return guide.plan({map, layout.grid.centre_m(layout.starts[0]), Need::SeenFree, {}}, cells);
   }
