@@ -87,7 +87,11 @@ RunInput input_of_recording(const std::string& path) {
     if (!reader.missing().empty()) input.notes.push_back(fmt::format("the file is not whole: {}", reader.missing()));
     const RunCollector collector = collect(reader, input);
     if (!collector.has_mission()) throw std::runtime_error("it holds no mission, hence nothing to draw");
-    if (collector.unreadable() > 0) input.notes.push_back(fmt::format("{} samples are none", collector.unreadable()));
+    if (const std::uint64_t bad = collector.unreadable(); bad > 0) {
+      input.notes.push_back(fmt::format("{} cannot be read and {} left out",
+                                        bad == 1 ? "1 sample" : fmt::format("{} samples", bad),
+                                        bad == 1 ? "is" : "are"));
+    }
     input.data = collector.data();
     for (const Zone& zone : input.data.mission.zones) input.outlines.push_back(outline_of(zone));
     for (const Announcement& item : input.data.mission.announced) input.outlines.push_back(outline_of(item));
