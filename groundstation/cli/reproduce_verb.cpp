@@ -2,15 +2,13 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <thread>
 
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/output/output_file.hpp"
 #include "groundstation/reproduce/document.hpp"
 #include "groundstation/sweep/journal.hpp"
 #include "groundstation/sweep/progress.hpp"
@@ -38,16 +36,6 @@ std::string command_of(const ReproduceArguments& arguments) {
   return command;
 }
 
-/// Whether a file can be written there, found out before the runs. @return what is wrong, or nothing
-std::optional<std::string> unwritable(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) return "it is a folder";
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  const bool exists = std::filesystem::exists(file, error);
-  if (access((exists ? file : folder).c_str(), W_OK) != 0) return std::strerror(errno);
-  return std::nullopt;
-}
-
 /// "rendezvous-2d: 12 of 100 runs; 30 % in all, 2 min 5 s left", at the pace so far.
 std::string progress_of(const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share,
                         double before, double elapsed_s) {
@@ -61,20 +49,8 @@ std::vector<reproduce::Paper> papers_of(const std::string& what) {
   return {what == "transit" ? Paper::Transit : Paper::Rendezvous};
 }
 
-/// @return whether the text is in the file
-bool write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) std::cerr << fmt::format("cannot write {}: {}\n", path, std::strerror(errno));
-  return static_cast<bool>(file);
-}
-
 int run_reproduce(const ReproduceArguments& arguments) {
-  if (const auto fault = arguments.out.empty() ? std::nullopt : unwritable(arguments.out)) {
-    std::cerr << fmt::format("cannot write {}: {}\n", arguments.out, *fault);
-    return static_cast<int>(ExitCode::Usage);
-  }
+  if (!arguments.out.empty()) check_output(arguments.out, {});
   std::error_code failed;
   if (!arguments.resume.empty()) std::filesystem::create_directories(arguments.resume, failed);
   if (failed) throw JournalRefused(fmt::format("{}: it cannot be made: {}", arguments.resume, failed.message()));
@@ -106,9 +82,7 @@ int run_reproduce(const ReproduceArguments& arguments) {
   const reproduce::Document document = reproduce::document_of(command_of(arguments), papers, results);
   // a file that was whole stays whole: what there is of an interrupted run goes to standard output
   const bool to_file = !arguments.out.empty() && results.complete;
-  if (to_file && !write_file(arguments.out, text_of(document, reproduce::Layout::File))) {
-    return static_cast<int>(ExitCode::Usage);
-  }
+  if (to_file) write_output(arguments.out, text_of(document, reproduce::Layout::File));
   if (arguments.json) {
     std::cout << json_of(document).dump(2) << "\n";
   } else if (!to_file) {
@@ -143,8 +117,10 @@ VerbAction add_reproduce_verb(CLI::App& app) {
       return run_reproduce(*arguments);
     } catch (const JournalRefused& refused) {
       std::cerr << fmt::format("--resume: {}\n", refused.what());
-      return static_cast<int>(ExitCode::Usage);
+    } catch (const std::runtime_error& error) {
+      std::cerr << fmt::format("skein reproduce: {}\n", error.what());
     }
+    return static_cast<int>(ExitCode::Usage);
   };
 }
 

@@ -15,6 +15,7 @@
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/inprocess/in_process.hpp"
 #include "groundstation/launch/launcher.hpp"
+#include "groundstation/output/output_file.hpp"
 #include "groundstation/record/barrier_recorder.hpp"
 #include "groundstation/record/tap.hpp"
 #include "idl/process/poll.hpp"
@@ -241,6 +242,7 @@ int run(RunArguments& arguments) {
     if (arguments.world.wait_start && arguments.in_process) {
       throw std::runtime_error("--wait-start waits for a command: leave --in-process out");
     }
+    if (!arguments.record.empty()) check_output(arguments.record, {arguments.world.scenario, arguments.roster});
     const std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (!scenario) return static_cast<int>(ExitCode::Usage);
     const std::string& checkpoint = arguments.world.checkpoint;

@@ -20,6 +20,12 @@ std::string progress_text(std::size_t done, std::size_t of, std::size_t before, 
   return fmt::format("{}, {} left", text, duration_text(left_s));
 }
 
+std::string interrupted_text(std::size_t done, std::size_t of, const std::string& journal) {
+  return fmt::format("interrupted: {} of {} runs are done; {}", done, of,
+                     journal.empty() ? "to be able to go on with them a job needs --resume FILE from its start"
+                                     : fmt::format("the same command with --resume {} goes on with them", journal));
+}
+
 void ProgressLine::show(std::size_t done, std::size_t of, double now_s) {
   show(progress_text(done, of, before_, elapsed_s(now_s)), done == of, now_s);
 }

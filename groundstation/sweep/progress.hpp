@@ -18,6 +18,9 @@ namespace skein {
 /// "12 of 100 runs, 1 min 20 s left"; without a time as long as nothing was done here. @param before done before
 [[nodiscard]] std::string progress_text(std::size_t done, std::size_t of, std::size_t before, double elapsed_s);
 
+/// "interrupted: 12 of 100 runs are done; --resume FILE goes on with them". @param journal empty: there is none
+[[nodiscard]] std::string interrupted_text(std::size_t done, std::size_t of, const std::string& journal);
+
 enum class ProgressKind : std::uint8_t { None, Lines, Terminal };
 
 class ProgressLine {

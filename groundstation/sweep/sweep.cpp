@@ -1,5 +1,6 @@
 #include "groundstation/sweep/sweep.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
@@ -134,12 +135,25 @@ Json figures_of(const Json& report) {
 
 namespace {
 
+/// What row_of(), table_of() and junit_suites() take from a run.
+bool is_run(const Json& run) {
+  const auto is = [&](const char* key, auto&& holds) { return run.contains(key) && holds(run.at(key)); };
+  const auto is_text = [](const Json& value) { return value.is_string(); };
+  const auto is_verdict = [](const Json& value) { return value.is_boolean() || value.is_null(); };
+  return is("exit_code", [](const Json& value) { return value.is_number_integer(); }) && is("state_hash", is_text) &&
+         is("reason", is_text) && is("plan_feasible", is_verdict) && is("plan_success", is_verdict) &&
+         is("figures", [](const Json& figures) {
+           return figures.is_object() &&
+                  std::ranges::all_of(figures, [](const Json& value) { return value.is_number(); });
+         });
+}
+
 std::optional<RunJournal> journal_of(const SweepPlan& plan, const std::vector<Scenario>& scenarios) {
   if (plan.journal.empty()) return std::nullopt;
   std::vector<std::uint64_t> hashes;
   hashes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios) hashes.push_back(scenario.scenario_hash);
-  return RunJournal(plan.journal, "sweep", hashes);
+  return RunJournal(plan.journal, "sweep", hashes, is_run);
 }
 
 /// Takes what the journal has, but for the first run of a row, if that is to leave its curves. @return how many
@@ -210,9 +224,9 @@ SweepResult run_sweep(const SweepPlan& plan) {
     work();
   }
   if (failure) std::rethrow_exception(failure);
-  SweepResult result{stopped, Json::array()};
+  SweepResult result{false, Json::array()};
   for (std::size_t i = 0; i < combinations.size(); ++i) {
-    std::erase_if(results[i], [](const Json& run) { return run.is_null(); });
+    result.stopped = std::erase_if(results[i], [](const Json& run) { return run.is_null(); }) > 0 || result.stopped;
     result.rows.push_back(row_of(combinations[i], results[i]));
   }
   return result;

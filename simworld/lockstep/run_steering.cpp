@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "planner/core/geometry/terrain.hpp"
 #include "planner/core/lockstep/names.hpp"
 #include "simworld/lockstep/answers.hpp"
 #include "simworld/lockstep/run.hpp"
@@ -39,6 +40,10 @@ std::optional<Objection> nonsense(const Order& order, const Mission& mission) {
   const double most_mps = vehicle_of(mission, order.agent).speed_mps;
   if (order.speed_mps > most_mps) {
     return refused(fmt::format("vehicle {} flies at most {} m/s", order.agent, most_mps));
+  }
+  if (mission.terrain && height_above_m(*mission.terrain, order.to_m) < 0.0) {
+    return refused(
+        fmt::format("that point is {:.1f} m under the ground", -height_above_m(*mission.terrain, order.to_m)));
   }
   if (by_cells(mission)) return beyond(order.to_m, grid_of(*mission.transit));
   return std::nullopt;

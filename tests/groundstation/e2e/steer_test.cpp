@@ -73,10 +73,10 @@ TEST(Steer, EachVerbIsAcknowledgedAndTheRunIsRepeated) {
   EXPECT_EQ(answer_to("steer-pair", {"hold"}).at("acknowledged"), (json{1, 2}));
   EXPECT_EQ(answer_to("steer-pair", {"resume", "--agent", "2"}).at("acknowledged"), json::array({2}));
   EXPECT_EQ(answer_to("steer-pair", {"resume"}).at("acknowledged"), (json{1, 2}));
-  EXPECT_EQ(answer_to("steer-pair", {"inject", "obstacle", "sphere", "--at", "-5000", "-5000", "500", "--radius", "3",
-                                     "--velocity", "-1", "0", "0"})
-                .at("result"),
-            "accepted");
+  const json injected = answer_to("steer-pair", {"inject", "obstacle", "sphere", "--at", "-5000", "-5000", "500",
+                                                 "--radius", "3", "--velocity", "-1", "0", "0"});
+  EXPECT_EQ(injected.at("result"), "accepted");
+  EXPECT_EQ(injected.at("command"), "inject");
   EXPECT_EQ(answer_to("steer-pair", {"hold", "--agent", "7"}, 1).at("result"), "unknown_agent");
   EXPECT_EQ(answer_to("steer-pair", {"start"}, 1).at("result"), "started");
   EXPECT_EQ(answer_to("steer-pair", {"goto", "100", "-200", "0", "--agent", "1"}).at("acknowledged"), json::array({1}));

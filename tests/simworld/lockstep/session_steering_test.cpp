@@ -147,6 +147,24 @@ TEST(SessionSteering, ACommandThatEndsNobodyWaitsForWhoIsSilent) {
   EXPECT_EQ(stage.session.silent_for(0.5, stage.now_s), std::vector<AgentId>{2});
 }
 
+TEST(SessionSteering, NobodyIsSentUnderTheGround) {
+  Scenario level;
+  level.mission = test::abreast(2);
+  level.mission.terrain = Terrain{};
+  Stage stage(level);
+  const Tick first = take_off(stage);
+  Command down = command(1, OrderKind::Goto, 1);
+  down.order.to_m = Vec3(10.0, 20.0, -0.5);
+  stage.say(down);
+  Command up = command(2, OrderKind::Goto, 2);
+  up.order.to_m = Vec3(10.0, 20.0, 0.5);
+  stage.say(up);
+  const Tick tick = stage.round(first, AgentMode::Flying);
+  EXPECT_EQ(answer_in(tick, 1).result, OrderResult::Refused);
+  EXPECT_EQ(answer_in(tick, 1).text, "that point is 0.5 m under the ground");
+  EXPECT_EQ(answer_in(tick, 2).result, OrderResult::Accepted);
+}
+
 TEST(SessionSteering, WhatWaitsPastItsDeadlineExpires) {
   Stage stage(2);
   const Tick tick = take_off(stage);
