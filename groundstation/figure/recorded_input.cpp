@@ -54,6 +54,9 @@ void take_facts(const mcap::Reader& reader, RunInput& input) {
     for (const char* name : {"samples", "lost", "refused"}) input.facts[name] = fact(kept->texts, name);
     const std::string lost = fact(kept->texts, "lost");
     if (!lost.empty() && lost != "0") input.notes.push_back(fmt::format("{} samples were lost while recording", lost));
+    if (fact(kept->texts, "end_heard") == "false") {
+      input.notes.push_back("the end was not heard while recording: more may be lost than was counted");
+    }
   }
   if (const auto report = reader.attachment(kReportName)) {
     input.report = Json::parse(report->data, nullptr, false);
