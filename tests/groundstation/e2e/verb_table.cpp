@@ -37,6 +37,8 @@ std::vector<FailureRow> job_rows() {
       {{"run", "$GOOD", "--in-process", "--roster", "$NONE", "--out", "$OUT/run"}, 2, "$NONE"},
       {{"run", "$GOOD", "--out", "/proc/nowhere"}, 2, "/proc/nowhere"},
       {{"run", "$GOOD", "--record", "/dev/full", "--out", "$OUT/run"}, 2, "/dev/full"},
+      {{"run", "$GOOD", "--record", "", "--out", "$OUT/run"}, 2, "--record: it names no file"},
+      {{"run", "$GOOD", "--in-process", "--record", "$GOOD", "--out", "$OUT/run"}, 2, "it is read"},
       {{"run", "--attach", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
       {{"run", "$GOOD", "--in-process", "--out", "$OUT/run", "--set", "world.max_steps=3"}, 1, "", Says::More},
       {{"run", "$GOOD", "--domain", "$DOMAIN", "--out", "$OUT/run", "--fault", "kill:1@plan:3"}, 4, "", Says::More},
@@ -79,6 +81,7 @@ std::vector<FailureRow> observer_rows() {
        3,
        "no world of swarm nobody"},
       {{"record", "-o", "$NONE/file", "--swarm", "nobody", "--domain", "$DOMAIN"}, 2, "$NONE/file"},
+      {{"record", "$GOOD", "-o", "$GOOD", "--swarm", "nobody", "--domain", "$DOMAIN"}, 2, "it is read"},
       {{"record", "$BROKEN", "-o", "$OUT/none.mcap", "--swarm", "nobody"}, 2, "$BROKEN:"},
 
       {{"status", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
@@ -127,7 +130,8 @@ std::vector<FailureRow> steering_rows() {
 std::vector<FailureRow> file_rows() {
   return {
       {{"dump"}, 2, "FILE"},
-      {{"dump", "$NONE"}, 2, "$NONE"},
+      {{"dump", "$NONE"}, 2, "skein dump: $NONE: it cannot be read"},
+      {{"dump", "$FILE", "--topic", "nonsense"}, 2, "there are: skein/beacon, skein/mission"},
       {{"dump", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
       {{"dump", "$DAMAGED"}, 2, "a chunk"},
 
