@@ -41,15 +41,14 @@ nlohmann::ordered_json json_of(const Recorded& recorded, const std::string& file
 }
 
 void print(const Recorded& recorded, const std::string& file) {
-  const bool whole = recorded.gaps.end_heard();
-  std::cout << fmt::format("{}: {} samples, {}{} lost{} ({})\n", file, recorded.samples, whole ? "" : "at least ",
-                           recorded.gaps.lost(), whole ? "" : ", the end was not heard", recorded.reason);
+  std::cout << fmt::format("{}: {} samples, {} lost{} ({})\n", file, recorded.samples, recorded.gaps.lost(),
+                           recorded.gaps.end_heard() ? "" : " as far as is known: the end was not heard",
+                           recorded.reason);
   for (const auto& [key, writer] : recorded.gaps.writers()) {
     const bool heard = writer.tail.heard.value_or(true);
     if (writer.lost() == 0 && heard) continue;
-    std::cout << fmt::format("  {}: {}{} of {} lost{}\n", name_of(writer), heard ? "" : "at least ", writer.lost(),
-                             writer.lost() + writer.kept,
-                             heard ? "" : fmt::format(", heard up to number {}", writer.last));
+    std::cout << fmt::format("  {}: {} of {} lost{}\n", name_of(writer), writer.lost(), writer.lost() + writer.kept,
+                             heard ? "" : fmt::format(", heard up to number {}, not to its end", writer.last));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "groundstation/record/recording.hpp"
+#include "groundstation/record/tap.hpp"
 #include "simworld/report/report.hpp"
 #include "tests/groundstation/record/recorded.hpp"
 
@@ -57,6 +58,26 @@ TEST_F(InputTest, ACutRecordingIsDrawnUpToThereAndSaysSo) {
   const auto input = std::get<RunInput>(read_input(write("a.mcap", bytes)));
   EXPECT_FALSE(input.data.vehicles.front().flown.empty());
   EXPECT_THAT(input.notes, Contains(HasSubstr("the file is not whole")));
+}
+
+TEST_F(InputTest, ARecordingWhoseEndWasNotHeardSaysSo) {
+  const Scenario scenario = tests::small_scenario("small", 7);
+  for (const char* end_heard : {"false", "true"}) {
+    mcap::Bytes file;
+    Recording recording([&](mcap::ByteView bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); },
+                        {"attached", "geese", &scenario, false});
+    InProcessOptions options;
+    options.tap = tap_into([&](const TakenSample& sample) { recording.add(sample); });
+    (void)run_in_process(scenario, options);
+    recording.finish({{"lost", "0"}, {"end_heard", end_heard}});
+    const auto input = std::get<RunInput>(read_input(write("a.mcap", text_of(file))));
+    const auto note = Contains(HasSubstr("the end was not heard"));
+    if (end_heard == std::string("false")) {
+      EXPECT_THAT(input.notes, note);
+    } else {
+      EXPECT_THAT(input.notes, ::testing::Not(note));
+    }
+  }
 }
 
 TEST_F(InputTest, OfABrokenFileNothingIsDrawn) {
