@@ -60,6 +60,9 @@ void take_facts(const mcap::Reader& reader, RunInput& input) {
     const std::string lost = fact(kept->texts, "lost");
     if (!lost.empty() && lost != "0")
       input.notes.push_back(samples_that(lost, "was", "were") + " lost while recording");
+    if (fact(kept->texts, "end_heard") == "false") {
+      input.notes.push_back("the end was not heard while recording: more may be lost than was counted");
+    }
   }
   if (const auto report = reader.attachment(kReportName)) {
     input.report = Json::parse(report->data, nullptr, false);

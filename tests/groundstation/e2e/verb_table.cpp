@@ -28,6 +28,10 @@ std::vector<FailureRow> job_rows() {
       {{"run", "$GOOD", "--out", "/proc/nowhere"}, 2, "/proc/nowhere"},
       {{"run", "$TEXT", "--record", "$TEXT", "--out", "$OUT/run"}, 2, "cannot write $TEXT: the same command reads"},
       {{"run", "$GOOD", "--record", "/dev/full", "--out", "$OUT/run"}, 2, "/dev/full"},
+      {{"run", "$GOOD", "--record", "", "--out", "$OUT/run"}, 2, "--record: it names no file"},
+      {{"run", "$GOOD", "--in-process", "--record", "$GOOD", "--out", "$OUT/run"},
+       2,
+       "the same command reads or writes it"},
       {{"run", "--attach", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
       {{"run", "$GOOD", "--in-process", "--out", "$OUT/run", "--set", "world.max_steps=3"}, 1, "", Says::More},
       {{"run", "$GOOD", "--domain", "$DOMAIN", "--out", "$OUT/run", "--fault", "kill:1@plan:3"}, 4, "", Says::More},
@@ -89,6 +93,9 @@ std::vector<FailureRow> observer_rows() {
        3,
        "no world of swarm nobody"},
       {{"record", "-o", "$NONE/file", "--swarm", "nobody", "--domain", "$DOMAIN"}, 2, "$NONE/file"},
+      {{"record", "$GOOD", "-o", "$GOOD", "--swarm", "nobody", "--domain", "$DOMAIN"},
+       2,
+       "the same command reads or writes it"},
       {{"record", "$BROKEN", "-o", "$OUT/none.mcap", "--swarm", "nobody"}, 2, "$BROKEN:"},
 
       {{"status", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
@@ -137,7 +144,8 @@ std::vector<FailureRow> steering_rows() {
 std::vector<FailureRow> file_rows() {
   return {
       {{"dump"}, 2, "FILE"},
-      {{"dump", "$NONE"}, 2, "$NONE"},
+      {{"dump", "$NONE"}, 2, "skein dump: $NONE: it cannot be read"},
+      {{"dump", "$FILE", "--topic", "nonsense"}, 2, "there are: skein/beacon, skein/mission"},
       {{"dump", "$TEXT"}, 2, "$TEXT: byte 0: this is no MCAP file"},
       {{"dump", "$DAMAGED"}, 2, "a chunk"},
 
