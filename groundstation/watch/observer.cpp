@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "idl/process/dds_config.hpp"
 #include "idl/process/poll.hpp"
 
@@ -16,7 +18,8 @@ constexpr int kLost = 4;
 
 /// Before DDS starts its threads, which inherit it; an observer that may not is one with priority.
 const CommonFlags& stepping_back(const CommonFlags& flags) {
-  [[maybe_unused]] const int refused = setpriority(PRIO_PROCESS, 0, kNice);
+  const int now = getpriority(PRIO_PROCESS, 0);
+  [[maybe_unused]] const int refused = setpriority(PRIO_PROCESS, 0, std::max(now, kNice));
   return flags;
 }
 

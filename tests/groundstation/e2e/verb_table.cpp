@@ -26,12 +26,6 @@ std::vector<FailureRow> job_rows() {
       {{"run", "$GOOD", "--roster", "$NONE"}, 2, "--in-process"},
       {{"run", "$GOOD", "--in-process", "--roster", "$NONE", "--out", "$OUT/run"}, 2, "$NONE"},
       {{"run", "$GOOD", "--out", "/proc/nowhere"}, 2, "/proc/nowhere"},
-      {{"run", "$TEXT", "--record", "$TEXT", "--out", "$OUT/run"}, 2, "cannot write $TEXT: the same command reads"},
-      {{"run", "$GOOD", "--record", "/dev/full", "--out", "$OUT/run"}, 2, "/dev/full"},
-      {{"run", "$GOOD", "--record", "", "--out", "$OUT/run"}, 2, "--record: it names no file"},
-      {{"run", "$GOOD", "--in-process", "--record", "$GOOD", "--out", "$OUT/run"},
-       2,
-       "the same command reads or writes it"},
       {{"run", "--attach", "--domain", "$DOMAIN", "--startup-timeout", "0.3"}, 3, "no swarm in domain"},
       {{"run", "$GOOD", "--in-process", "--out", "$OUT/run", "--set", "world.max_steps=3"}, 1, "", Says::More},
       {{"run", "$GOOD", "--domain", "$DOMAIN", "--out", "$OUT/run", "--fault", "kill:1@plan:3"}, 4, "", Says::More},
@@ -140,7 +134,7 @@ std::vector<FailureRow> steering_rows() {
   return rows;
 }
 
-/// Of those that read recordings.
+/// Of those that read and write recordings.
 std::vector<FailureRow> file_rows() {
   return {
       {{"dump"}, 2, "FILE"},
@@ -170,6 +164,11 @@ std::vector<FailureRow> file_rows() {
       {{"replay", "$FILE", "--rate", "-1"}, 2, "--rate"},
       {{"replay", "$FILE", "--from", "1e6"}, 2, "it ends at"},
       {{"replay", "$FILE", "--wait", "1", "--startup-timeout", "0.3", "--domain", "$DOMAIN"}, 3, "0 of 1 observers"},
+
+      {{"run", "$GOOD", "--record", "/dev/full", "--out", "$OUT/run"}, 2, "/dev/full"},
+      {{"run", "$GOOD", "--record", "", "--out", "$OUT/run"}, 2, "--record: it names no file"},
+      {{"run", "$TEXT", "--record", "$TEXT", "--out", "$OUT/run"}, 2, "cannot write $TEXT: the same command reads"},
+      {{"run", "$GOOD", "--in-process", "--record", "$GOOD", "--out", "$OUT/run"}, 2, "the same command reads"},
 
       {{"verify"}, 2, "A"},
       {{"verify", "$FILE"}, 2, "--rerun"},
