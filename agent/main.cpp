@@ -3,6 +3,7 @@
 // --id it asks the world for one.
 #include "agent/process/agent_process.hpp"
 #include "idl/process/id_list.hpp"
+#include "idl/process/number_within.hpp"
 
 int main(int argc, char** argv) {
   skein::keep_standard_streams();
@@ -20,7 +21,7 @@ int main(int argc, char** argv) {
          "--world-timeout", arguments.world_timeout_s,
          "seconds without a world before the agent ends; default: --startup-timeout before its first tick, 30 after it")
       ->envname("SKEIN_WORLD_TIMEOUT")
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(skein::number_within(0.1, 3600.0));
   app.set_version_flag("--version", SKEIN_VERSION);
   if (const auto code = skein::parse_or_exit_code(app, argc, argv)) return *code;
   if (!ids.empty()) arguments.ids = *skein::id_list_from(ids);

@@ -32,7 +32,7 @@ std::unique_ptr<Behaviour> make_rejoined_behaviour(const Mission& mission, Agent
   if (mission.transit && mission.transit->planner.share_maps != 0.0) {
     return std::make_unique<TransitBehaviour>(mission, self, true);
   }
-  return std::make_unique<RejoinedBehaviour>();
+  return std::make_unique<RejoinedBehaviour>(mission.kind == MissionKind::Transit);
 }
 
 }  // namespace skein

@@ -44,6 +44,9 @@ class Behaviour {
   [[nodiscard]] virtual bool can_use(const Representative& peer) const = 0;
   /// One round, planning or flight; rounds come in order, each once.
   virtual RoundOutput on_round(const RoundInput& input) = 0;
+  /// From this round on, if it obeys the operator itself; of several orders of a round the last one stands.
+  /// @return whether it does; else one that does goes around it (commanded.hpp)
+  virtual bool obey(const Order& /*order*/) { return false; }
   /// Its rounds go on after some that it was left out of, while its vehicle obeyed the operator.
   /// @param stale its peers may have planned without it since
   virtual void resume(bool /*stale*/) {}

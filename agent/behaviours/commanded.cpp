@@ -39,13 +39,14 @@ CommandedBehaviour::CommandedBehaviour(const Mission& mission, AgentId self, std
   if (hovers() && (mission.controller.sensor_range_m > 0.0 || mission.transit)) surroundings_.emplace(mission, self);
 }
 
-void CommandedBehaviour::obey(const Order& order) {
-  if (order.kind == OrderKind::Start || order.kind == OrderKind::Abort || doing_ == Doing::Landed) return;
+bool CommandedBehaviour::obey(const Order& order) {
+  if (order.kind == OrderKind::Start || order.kind == OrderKind::Abort || doing_ == Doing::Landed) return true;
   if (order.kind == OrderKind::Resume && doing_ == Doing::Mission) {
     next_.reset();
-    return;
+    return true;
   }
   next_ = order;
+  return true;
 }
 
 double CommandedBehaviour::braking_mps2() const {

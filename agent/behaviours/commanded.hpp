@@ -34,7 +34,7 @@ class CommandedBehaviour final : public Behaviour {
   CommandedBehaviour(const Mission& mission, AgentId self, std::unique_ptr<Behaviour> mission_behaviour);
 
   /// From the next flight step on. Of several before it the last one stands.
-  void obey(const Order& order);
+  bool obey(const Order& order) override;
 
   [[nodiscard]] bool can_use(const Representative& peer) const override { return inner_->can_use(peer); }
   RoundOutput on_round(const RoundInput& input) override;

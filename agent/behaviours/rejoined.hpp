@@ -15,12 +15,17 @@ namespace skein {
 
 class RejoinedBehaviour final : public Behaviour {
  public:
+  /// @param deaf it obeys nobody: the transit by cells, whose peers keep clear of where it drifts
+  explicit RejoinedBehaviour(bool deaf = false) : deaf_(deaf) {}
+
   [[nodiscard]] bool can_use(const Representative& /*peer*/) const override { return true; }
+  bool obey(const Order& /*order*/) override { return deaf_; }
   RoundOutput on_round(const RoundInput& input) override;
   [[nodiscard]] bool resumes_anywhere(bool /*stale*/) const override { return true; }
   void add_to(StateHash& hash) const override;
 
  private:
+  bool deaf_;
   RoundOutput last_;
 };
 

@@ -33,6 +33,7 @@ AgentMode mode_of(NavStatus status) {
     case NavStatus::Deadlock:
       return AgentMode::Deadlock;
     case NavStatus::Flying:
+    case NavStatus::Held:
       break;
   }
   return AgentMode::Flying;
@@ -57,6 +58,52 @@ TransitBehaviour::TransitBehaviour(const Mission& mission, AgentId self, bool re
       (mission.transit->goals_m.at(rank_of(mission, self)) - vehicle_of(mission, self).start.position_m).norm();
 }
 
+bool TransitBehaviour::obey(const Order& order) {
+  if (!rejoined_ && doing_ != Doing::Landed) order_ = order;
+  return true;
+}
+
+void TransitBehaviour::begin(const Order& order, const Sense& sense) {
+  const TransitMission& transit = *mission_.transit;
+  const Vec3 to_go_m = transit.goals_m[rank_of(mission_, self_)] - sense.pose.position_m;
+  if (doing_ == Doing::Mission && to_go_m.norm() <= transit.goal_radius_m) return;  // it has arrived
+  switch (order.kind) {
+    case OrderKind::Goto: {
+      const double most_mps = vehicle_of(mission_, self_).speed_mps;
+      navigator_.go_to(order.to_m, order.speed_mps > 0.0 ? std::min(order.speed_mps, most_mps) : most_mps);
+      doing_ = Doing::Goto;
+      break;
+    }
+    case OrderKind::Resume:
+      if (std::exchange(doing_, Doing::Mission) == Doing::Mission) return;
+      navigator_.resume();
+      last_.mode = AgentMode::Flying;
+      last_.safety_mode = SafetyMode::Autonomous;
+      last_.safety_reason = SafetyReason::None;
+      break;
+    case OrderKind::Hold:
+    case OrderKind::Land:
+      navigator_.hold();
+      doing_ = order.kind == OrderKind::Hold ? Doing::Hold : Doing::Land;
+      break;
+    default:
+      break;
+  }
+}
+
+/// Whom it obeys, and what became of that.
+void TransitBehaviour::report_command() {
+  const gridnav::ErrandState state = navigator_.errand().value_or(gridnav::ErrandState::Stays);
+  last_.mode = doing_ == Doing::Landed                   ? AgentMode::Landed
+               : doing_ == Doing::Land                   ? AgentMode::Landing
+               : state == gridnav::ErrandState::UnderWay ? AgentMode::GoingTo
+                                                         : AgentMode::Holding;
+  last_.safety_mode = SafetyMode::Hold;
+  last_.safety_reason = state == gridnav::ErrandState::Short    ? SafetyReason::Blocked
+                        : state == gridnav::ErrandState::GaveUp ? SafetyReason::Peer
+                                                                : SafetyReason::None;
+}
+
 RoundOutput TransitBehaviour::on_round(const RoundInput& input) {
   last_.obstacle_map.reset();
   note_lives(input.tick);
@@ -74,7 +121,9 @@ RoundOutput TransitBehaviour::on_round(const RoundInput& input) {
       last_.commanded_velocity_mps = sense.velocity_mps;
       return last_;
     }
+    if (order_) begin(*std::exchange(order_, std::nullopt), sense);
     if (into_decision == 0) decide(input.tick, sense);
+    if (doing_ != Doing::Mission) report_command();
     const double left_s = static_cast<double>(steps_per_decision_ - into_decision) * mission_.step_s;
     last_.commanded_velocity_mps = (decision_.target_m - sense.pose.position_m) / left_s;
   }
@@ -142,6 +191,10 @@ void TransitBehaviour::decide(const Tick& tick, const Sense& sense) {
   hear(tick);
   const std::vector<CellChange> changed = map_.take_changes();
   const std::vector<gridnav::Neighbour> around = neighbours(sense, decision);
+  for (const HeardPeer& peer : sense.heard) {
+    if (peer.landed) navigator_.forget_held(peer.agent);
+  }
+  if (doing_ == Doing::Land) doing_ = Doing::Landed;  // at rest from here on
   decision_ = navigator_.decide({decision, sense.pose.position_m, changed, around});
   std::vector<CellChange> marks;
   for (const CellIndex cell : decision_.revisited) marks.push_back({cell, CellState::Revisited});
@@ -170,7 +223,7 @@ std::vector<gridnav::Neighbour> TransitBehaviour::neighbours(const Sense& sense,
 
 /// Whether a UAV is so near that its right of way may hang on the intent; one unheard is kept clear of in any case.
 bool TransitBehaviour::is_crowded(const Sense& sense) const {
-  if (rejoined_ || decision_.status == NavStatus::Arrived) return false;
+  if (rejoined_ || doing_ == Doing::Landed || decision_.status == NavStatus::Arrived) return false;
   const double reach_m = vehicle_of(mission_, self_).speed_mps * mission_.transit->planner.decision_s;
   return std::ranges::any_of(sense.heard, [&](const HeardPeer& peer) {
     return !peer.landed && (peer.position_m - sense.pose.position_m).norm() <= kCrowdedReaches * reach_m;
@@ -223,6 +276,7 @@ void TransitBehaviour::add_to(StateHash& hash) const {
   receiver_.add_to(hash);
   budget_.add_to(hash);
   hash.add(last_.mode).add(last_.commanded_velocity_mps).add(decision_.target_m);
+  if (doing_ != Doing::Mission) hash.add(doing_).add(last_.safety_reason);
 }
 
 }  // namespace skein

@@ -28,7 +28,7 @@ struct Manoeuvre {
 /// The velocity (m/s) at the end of a step in which a vehicle at v0 is told `command_mps`.
 [[nodiscard]] inline Vec3 after_step(const Brakes& brakes, double speed_limit_mps, const Vec3& v0_mps,
                                      const Vec3& command_mps) {
-  const Vec3 wanted = clipped(command_mps, speed_limit_mps);
+  Vec3 wanted = clipped(command_mps, speed_limit_mps);
   if (brakes.acceleration_mps2 <= 0.0) return wanted;
   return v0_mps + clipped(wanted - v0_mps, brakes.acceleration_mps2 * brakes.step_s);
 }

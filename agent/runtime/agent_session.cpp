@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "agent/behaviours/commanded.hpp"
 #include "planner/core/lockstep/names.hpp"
 
 namespace skein {
@@ -101,7 +102,7 @@ void AgentSession::follow_roster() {
 void AgentSession::become_live(std::uint32_t incarnation) {
   state_ = State::Live;
   incarnation_ = incarnation;
-  if (incarnation > 1) set_behaviour(make_rejoined_behaviour(mission_, id_));
+  if (incarnation > 1) behaviour_ = make_rejoined_behaviour(mission_, id_);
 }
 
 /// Dropped: nothing of its former life is left but the mission and the newest tick.
@@ -109,7 +110,7 @@ void AgentSession::start_over() {
   state_ = State::Introducing;
   dropped_ = true;
   incarnation_ = 0;
-  set_behaviour(make_behaviour(mission_, id_));
+  behaviour_ = make_behaviour(mission_, id_);
   sense_.reset();
   acknowledged_.clear();
   forget_peers();
@@ -141,11 +142,6 @@ std::vector<Need> AgentSession::lacking() const {
   return needs;
 }
 
-void AgentSession::set_behaviour(std::unique_ptr<Behaviour> behaviour) {
-  behaviour_ = std::move(behaviour);
-  commanded_ = nullptr;
-}
-
 /// What the open tick orders, from this round on.
 void AgentSession::obey() {
   acknowledged_.clear();
@@ -153,12 +149,9 @@ void AgentSession::obey() {
     if (!concerns(order, id_)) continue;
     acknowledged_.push_back(order.id);
     if (order.kind == OrderKind::Start || order.kind == OrderKind::Abort) continue;
-    if (commanded_ == nullptr) {
-      auto commanded = std::make_unique<CommandedBehaviour>(mission_, id_, std::move(behaviour_));
-      commanded_ = commanded.get();
-      behaviour_ = std::move(commanded);
-    }
-    commanded_->obey(order);
+    if (behaviour_->obey(order)) continue;
+    behaviour_ = std::make_unique<CommandedBehaviour>(mission_, id_, std::move(behaviour_));
+    behaviour_->obey(order);
   }
 }
 

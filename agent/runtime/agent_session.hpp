@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "agent/behaviours/behaviour.hpp"
-#include "agent/behaviours/commanded.hpp"
 #include "agent/runtime/peer_samples.hpp"
 #include "idl/bus/port.hpp"
 #include "idl/convert/convert.hpp"
@@ -79,7 +78,6 @@ class AgentSession {
   [[nodiscard]] std::vector<Need> lacking() const;
   void answer(double now_s);
   void obey();
-  void set_behaviour(std::unique_ptr<Behaviour> behaviour);
   template <typename Sample>
   void sign(Sample& sample) const;
   void publish_answer(double now_s);
@@ -98,8 +96,7 @@ class AgentSession {
   std::vector<AgentId> ids_;
   std::optional<CellGrid> grid_;  ///< of a transit
   std::unique_ptr<Behaviour> behaviour_;
-  CommandedBehaviour* commanded_ = nullptr;  ///< behaviour_, once it was commanded
-  std::optional<Tick> tick_;                 ///< the newest
+  std::optional<Tick> tick_;  ///< the newest
   std::optional<Sense> sense_;
   PeerSamples<Representative> heard_;  ///< one that the behaviour cannot use is heard, but counts as left out
   PeerSamples<ObstacleMapSample> heard_maps_;

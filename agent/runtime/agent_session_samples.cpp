@@ -26,7 +26,7 @@ void AgentSession::on_sample(const wire::Mission& sample, double /*now_s*/) {
     reason_ = fmt::format("the mission has no vehicle {}", id_);
     return;
   }
-  set_behaviour(make_behaviour(mission_, id_));
+  behaviour_ = make_behaviour(mission_, id_);
   last_sent_s_ = -1e9;  // the world waits to hear that the mission is here
 }
 

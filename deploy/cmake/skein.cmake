@@ -45,6 +45,19 @@ function(skein_header_library name)
   target_link_libraries(${name} INTERFACE skein_arithmetic ${ARG_LINK})
 endfunction()
 
+# skein_embed(OUT HEADER declares-it.hpp FUNCTION name FILES a ... [DEPENDS b ...]): sets OUT to a source that holds texts
+function(skein_embed out)
+  cmake_parse_arguments(ARG "" "HEADER;FUNCTION" "FILES;DEPENDS" ${ARGN})
+  list(JOIN ARG_FILES "," files)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded.cpp)
+  add_custom_command(OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DFILES=${files} -DHEADER=${ARG_HEADER} -DFUNCTION=${ARG_FUNCTION} -DOUT=${source}
+            -P ${CMAKE_SOURCE_DIR}/deploy/cmake/embed.cmake
+    DEPENDS ${ARG_FILES} ${ARG_DEPENDS} ${CMAKE_SOURCE_DIR}/deploy/cmake/embed.cmake
+    COMMENT "Embedding texts for ${ARG_FUNCTION}" VERBATIM)
+  set(${out} ${source} PARENT_SCOPE)
+endfunction()
+
 # skein_binary(NAME SOURCES a.cpp ... LINK lib ...)
 function(skein_binary name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})

@@ -12,6 +12,7 @@
 #include "idl/process/network_watch.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
+#include "idl/process/silence.hpp"
 
 namespace skein {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 constexpr double kSilence_s = 30.0;     ///< without a tick of any phase, as agents take it
 constexpr double kLastTick_s = 2.0;     ///< for a last tick that is still on its way when its world is gone
 constexpr double kFoundAgain_s = 20.0;  ///< in which a world is found again, or is gone: as long as its lease lasts
+constexpr double kLook_s = 0.5;         ///< at most between two looks, by which a stall is told
 constexpr int kStartUp = 3;
 constexpr int kLost = 4;
 
@@ -66,7 +68,7 @@ class Watch {
     bus::DdsObserverPort port(dds_config(flags, kWorldId, random_id()));
     ObservedRun run;
     std::vector<bus::ObserverInbound> arrived;
-    double heard_s = steady_now_s();  // a tick, or that the world came or went
+    Silence silence(steady_now_s());  // without a tick, or that the world came or went
     bool has_world = false;
     bool had_world = false;
     double gone_after_s = kLastTick_s;
@@ -75,22 +77,23 @@ class Watch {
         has_world = !has_world;
         had_world = true;
         gone_after_s = kLastTick_s;
-        heard_s = steady_now_s();
+        silence.heard();
       }
       const bool gone = had_world && !has_world;
       const double limit_s = gone ? gone_after_s : run.heard_tick() ? kSilence_s : flags.startup_timeout_s;
-      const double left_s = heard_s + limit_s - steady_now_s();
-      if (left_s <= 0.0) return silence(flags, gone, run.heard_tick(), limit_s);
-      if (wait(port.wake_fd(), left_s)) return *ended_;
-      if (follow_network(port, steady_now_s() - heard_s > kInNeed_s)) {  // nobody is known to the new one yet
+      const double left_s = limit_s - silence.silent_s();
+      if (left_s <= 0.0) return silent(flags, gone, run.heard_tick(), limit_s);
+      if (wait(port.wake_fd(), std::min(left_s, kLook_s))) return *ended_;
+      silence.look(steady_now_s());
+      if (follow_network(port, silence.silent_s() > kInNeed_s)) {  // nobody is known to the new one yet
         has_world = false;
         gone_after_s = kFoundAgain_s;
-        heard_s = steady_now_s();
+        silence.heard();
       }
       arrived.clear();
       port.take(arrived);
       for (const bus::ObserverInbound& sample : arrived) {
-        if (std::holds_alternative<wire::Tick>(sample)) heard_s = steady_now_s();
+        if (std::holds_alternative<wire::Tick>(sample)) silence.heard();
         run.take(sample);
       }
       if (!arrived.empty() && run.heard_tick() && !run.outcome()) show_(run.progress());
@@ -98,7 +101,7 @@ class Watch {
     return {run.outcome()->exit_code, run.result(), run.outcome()->reason};
   }
 
-  static Attached silence(const CommonFlags& flags, bool gone, bool heard, double limit_s) {
+  static Attached silent(const CommonFlags& flags, bool gone, bool heard, double limit_s) {
     if (gone)
       return without_result(kLost, fmt::format("the world of swarm {} is gone, without a last tick", flags.swarm));
     return without_result(kStartUp, heard ? fmt::format("no tick of a world for {} s", limit_s)

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "groundstation/chaos/disturbed_run.hpp"
+#include "groundstation/chaos/outcome.hpp"
 
 namespace skein::chaos {
 
@@ -21,19 +21,17 @@ struct CampaignPlan {
   std::uint64_t seed = 0;
   std::uint32_t runs = 1;
   double limit_s = 120.0;
+  std::string journal;                                         ///< file of journal.hpp; empty for none
   std::function<bool()> interrupted;                           ///< asked all the time
-  std::function<void(const RunOutcome&, std::size_t)> on_run;  ///< after each, with how many are done
+  std::function<void(const RunOutcome&, std::size_t)> on_run;  ///< after each that is made, with how many are done
 };
 
-/// @throws std::invalid_argument with one line if a seed leaves the scenario no room
+/// @throws std::invalid_argument with one line if a seed leaves the scenario no room @throws JournalRefused
 [[nodiscard]] std::vector<RunOutcome> run_campaign(const CampaignPlan& plan);
-
-/// Whether the run kept all invariants.
-[[nodiscard]] bool is_sound(const RunOutcome& outcome);
 
 /// {"runs", "completed", "degraded", "unsafe", "hangs", "orphans", "leftovers", "unexplained", "replay_mismatches",
 /// "maps_judged", "maps_differ", "unaccepted_plans", "faults": per kind the same counts, "recovery_steps" and
-/// "recovery_s" (mean, max) and "reasons" of what was degraded, "per_run"}.
+/// "recovery_s" (mean, max) and "reasons" of what was degraded, "per_run": json_of}.
 [[nodiscard]] nlohmann::ordered_json summary_of(const std::vector<RunOutcome>& outcomes);
 
 /// The same for a person: a line a kind, the reasons, and each run that broke an invariant.

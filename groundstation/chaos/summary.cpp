@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 5> kResults{"completed", "degraded", "unsafe", "hung", "stopped"};
-
 Json counts_of(const std::vector<const RunOutcome*>& outcomes) {
   const auto results = [&](Result result) { return std::ranges::count(outcomes, result, &RunOutcome::result); };
   const auto runs_where = [&](const auto& holds) {
@@ -72,26 +70,6 @@ Json of_kind(const std::vector<const RunOutcome*>& outcomes) {
   return entry;
 }
 
-Json of_run(const RunOutcome& outcome) {
-  Json run{{"seed", outcome.seed},
-           {"fault", outcome.fault},
-           {"injected", outcome.injected},
-           {"result", kResults[static_cast<std::size_t>(outcome.result)]},
-           {"exit_code", outcome.exit_code},
-           {"reason", outcome.reason},
-           {"state_hash", outcome.state_hash},
-           {"replay_differs", outcome.replay_differs},
-           {"sound", is_sound(outcome)},
-           {"wall_s", outcome.wall_s}};
-  run["orphans"] = outcome.orphans;
-  run["leftovers"] = outcome.leftovers;
-  run["unexplained"] = outcome.unexplained;
-  run["unaccepted_plans"] = outcome.unaccepted;
-  run["maps_due"] = outcome.maps_due;
-  run["maps_differ"] = outcome.maps_differ;
-  return run;
-}
-
 std::string spread_text(const Json& spread, int digits) {
   if (spread.is_null()) return "-";
   return fmt::format("{:.{}f} ({:.{}f})", spread.at("mean").get<double>(), digits, spread.at("max").get<double>(),
@@ -118,7 +96,7 @@ Json summary_of(const std::vector<RunOutcome>& outcomes) {
   for (const RunOutcome& outcome : outcomes) {
     all.push_back(&outcome);
     kinds[outcome.kind].push_back(&outcome);
-    runs.push_back(of_run(outcome));
+    runs.push_back(json_of(outcome));
   }
   Json summary = counts_of(all);
   summary["faults"] = Json::object();

@@ -12,8 +12,11 @@
 
 #include "groundstation/chaos/campaign.hpp"
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/output/output_file.hpp"
+#include "groundstation/sweep/journal.hpp"
 #include "groundstation/sweep/junit.hpp"
 #include "groundstation/sweep/progress.hpp"
+#include "idl/process/number_within.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/lockstep/map_watch.hpp"
@@ -36,6 +39,7 @@ struct ChaosArguments {
   std::string faults;
   double limit_s = 120.0;
   std::string junit;
+  std::string resume;
   bool json = false;
 };
 
@@ -75,6 +79,7 @@ chaos::CampaignPlan plan_of(ChaosArguments& arguments, const Scenario& scenario)
   plan.seed = scenario.mission.seed;
   plan.runs = arguments.runs;
   plan.limit_s = arguments.limit_s;
+  plan.journal = arguments.resume;
   const CommonFlags& common = arguments.world.common;
   plan.arguments = {"--domain",          std::to_string(common.domain),
                     "--profile",         common.profile,
@@ -97,7 +102,7 @@ void print(const Json& summary, const std::map<std::string, std::string>& refuse
 }
 
 /// A case a run; what broke no invariant did not fail.
-std::string junit_of(const Scenario& scenario, const std::vector<chaos::RunOutcome>& outcomes) {
+std::string junit_of(const Scenario& scenario, const std::vector<chaos::RunOutcome>& outcomes, std::size_t runs) {
   JunitSuite suite{scenario.mission.name, {}};
   for (const chaos::RunOutcome& outcome : outcomes) {
     JunitCase one{fmt::format("seed {}, {}", outcome.seed, outcome.fault), "", ""};
@@ -107,7 +112,15 @@ std::string junit_of(const Scenario& scenario, const std::vector<chaos::RunOutco
     }
     suite.cases.push_back(std::move(one));
   }
+  if (outcomes.size() < runs) suite.cases.push_back(junit_of_missing(outcomes.size(), runs));
   return junit_xml("skein chaos", {suite});
+}
+
+/// Does it to the file of --junit, if there is to be one. @throws std::runtime_error that names the flag
+void guarded_junit(const ChaosArguments& arguments, const std::function<void(const std::string&)>& action) try {
+  if (!arguments.junit.empty()) action(arguments.junit);
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(fmt::format("--junit: {}", error.what()));
 }
 
 int campaign(ChaosArguments& arguments, const Scenario& scenario) {
@@ -120,12 +133,13 @@ int campaign(ChaosArguments& arguments, const Scenario& scenario) {
     if (const auto arrived = signals.take()) signal = arrived;
     return signal.has_value();
   };
-  std::ofstream junit;
-  if (!arguments.junit.empty()) junit.open(arguments.junit, std::ios::binary);
-  if (!junit) throw std::runtime_error(fmt::format("--junit: cannot write {}", arguments.junit));
-  plan.on_run = [&, start_s = steady_now_s()](const chaos::RunOutcome& outcome, std::size_t done) {
-    std::cerr << fmt::format("{}: seed {}, {}: {}{}\n", progress_text(done, plan.runs, 0, steady_now_s() - start_s),
-                             outcome.seed, outcome.fault, outcome.reason,
+  guarded_junit(arguments, [&](const std::string& file) {
+    check_output(file, {arguments.world.scenario, arguments.faults, arguments.resume});
+  });
+  plan.on_run = [&, made = std::size_t{0}, start_s = steady_now_s()](const chaos::RunOutcome& outcome,
+                                                                     std::size_t done) mutable {
+    const std::string progress = progress_text(done, plan.runs, done - ++made, steady_now_s() - start_s);
+    std::cerr << fmt::format("{}: seed {}, {}: {}{}\n", progress, outcome.seed, outcome.fault, outcome.reason,
                              chaos::is_sound(outcome) ? "" : fmt::format(" [kept in {}/{}]", plan.folder, done - 1))
               << std::flush;
   };
@@ -133,11 +147,18 @@ int campaign(ChaosArguments& arguments, const Scenario& scenario) {
   std::error_code ignored;
   std::filesystem::remove(plan.folder, ignored);  // unless there is something in it
   Json summary{{"scenario", scenario.mission.name}, {"seed", plan.seed}, {"refused", refused}};
+  summary["complete"] = outcomes.size() == plan.runs;
+  if (!arguments.json && outcomes.size() < plan.runs) {
+    std::cout << fmt::format("PARTIAL: {} of {} runs\n", outcomes.size(), plan.runs);
+  }
   summary.update(chaos::summary_of(outcomes));
   print(summary, refused, arguments.json);
-  if (junit.is_open()) junit << junit_of(scenario, outcomes) << std::flush;
-  if (!junit) throw std::runtime_error(fmt::format("--junit: cannot write {}", arguments.junit));
-  if (signal) return 128 + *signal;
+  guarded_junit(arguments,
+                [&](const std::string& file) { write_output(file, junit_of(scenario, outcomes, plan.runs)); });
+  if (signal) {
+    std::cerr << interrupted_text(outcomes.size(), plan.runs, arguments.resume) << "\n";
+    return 128 + *signal;
+  }
   return std::ranges::all_of(outcomes, chaos::is_sound) ? 0 : static_cast<int>(ExitCode::Failed);
 }
 
@@ -160,6 +181,9 @@ int run(ChaosArguments& arguments) {
     std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (scenario && let_maps_settle(*scenario, overrides)) scenario = load_or_complain(arguments.world);
     return scenario ? campaign(arguments, *scenario) : static_cast<int>(ExitCode::Usage);
+  } catch (const JournalRefused& refused) {
+    std::cerr << "skein chaos: --resume: " << refused.what() << "\n";
+    return static_cast<int>(ExitCode::Usage);
   } catch (const std::exception& error) {
     std::cerr << "skein chaos: " << error.what() << "\n";
     return static_cast<int>(ExitCode::Usage);
@@ -178,9 +202,11 @@ VerbAction add_chaos_verb(CLI::App& app) {
   verb->add_option("--faults", arguments->faults,
                    "file of faults, one a line; by default all that this machine can do");
   verb->add_option("--limit", arguments->limit_s, "seconds after which a run hangs")
-      ->check(CLI::Range(1.0, 3600.0))
+      ->check(number_within(1.0, 3600.0))
       ->capture_default_str();
   verb->add_option("--out", arguments->world.out, "folder for the runs; those that kept every promise are removed");
+  verb->add_option("--resume", arguments->resume,
+                   "FILE of the runs that are done: what it has is not run again; it is made if it is not there");
   verb->add_option("--junit", arguments->junit, "FILE.xml: a test case a run, broken invariants as failures");
   verb->add_flag("--json", arguments->json, "print the table as JSON on standard output");
   verb->footer("Example: skein chaos deploy/scenarios/rendezvous-ring.yaml --runs 20 --seed 1");

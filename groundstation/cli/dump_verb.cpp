@@ -1,7 +1,8 @@
 // skein dump FILE: the samples of a recording with all their fields, one JSON object a line.
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
+#include <set>
 
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/mcap/file.hpp"
@@ -39,11 +40,21 @@ class Decoder {
   std::map<std::uint16_t, schema::Struct> types_;
 };
 
+/// @throws std::runtime_error with one line if there is no such topic in the file
+void find_topic(const mcap::Contents& contents, const std::string& topic) {
+  std::set<std::string> topics;
+  for (const auto& [id, channel] : contents.channels) topics.insert(channel.topic);
+  if (topic.empty() || topics.contains(topic)) return;
+  throw std::runtime_error(fmt::format("--topic {}: it is not there; there are: {}", topic,
+                                       topics.empty() ? "none" : fmt::to_string(fmt::join(topics, ", "))));
+}
+
 int dump(const DumpArguments& arguments) {
   try {
     const mcap::MappedFile file(arguments.file);
     const mcap::Reader reader(file.bytes());
     if (!reader.missing().empty()) std::cerr << fmt::format("{}: {}\n", arguments.file, reader.missing());
+    find_topic(reader.contents(), arguments.topic);
     Decoder decode(reader.contents());
     reader.for_each([&](const mcap::Message& message) {
       const mcap::Channel& channel = reader.contents().channels.at(message.channel_id);
@@ -60,7 +71,9 @@ int dump(const DumpArguments& arguments) {
     if (std::cout.flush()) return 0;
     throw std::runtime_error("cannot write to standard output");
   } catch (const std::exception& error) {
-    std::cerr << fmt::format("skein dump: {}: {}\n", arguments.file, error.what());
+    const std::string what = error.what();
+    const bool named = what.starts_with(arguments.file + ":");
+    std::cerr << fmt::format("skein dump: {}\n", named ? what : arguments.file + ": " + what);
     return kBad;
   }
 }

@@ -12,6 +12,7 @@
 #include "groundstation/monitor/monitor.hpp"
 #include "groundstation/watch/figures.hpp"
 #include "groundstation/watch/observer.hpp"
+#include "idl/process/number_within.hpp"
 #include "idl/process/poll.hpp"
 
 namespace skein {
@@ -93,7 +94,7 @@ CLI::App* add_observer(CLI::App& app, const char* name, const char* about, Obser
   verb->add_flag("--json", arguments.json, "print JSON on standard output");
   CLI::Option* watch = verb->add_flag("--watch", arguments.watch, "again and again, until the run ends; JSON in lines");
   verb->add_option("--interval", arguments.interval_s, "seconds between two of --watch")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_within(0.1, 3600.0))
       ->capture_default_str()
       ->needs(watch);
   return verb;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/output/output_file.hpp"
 #include "groundstation/record/attached.hpp"
 #include "simworld/process/world_process.hpp"
 
@@ -22,26 +23,32 @@ struct RecordArguments {
 nlohmann::ordered_json json_of(const Recorded& recorded, const std::string& file) {
   nlohmann::ordered_json writers = nlohmann::ordered_json::array();
   for (const auto& [key, writer] : recorded.gaps.writers()) {
+    const std::optional<bool>& end_heard = writer.tail.heard;
     writers.push_back({{"writer", name_of(writer)},
                        {"kept", writer.kept},
                        {"lost", writer.lost()},
                        {"from", writer.first},
-                       {"to", writer.last}});
+                       {"to", writer.last},
+                       {"end_heard", end_heard ? nlohmann::ordered_json(*end_heard) : nullptr}});
   }
   return {{"file", file},
           {"exit_code", recorded.exit_code},
           {"reason", recorded.reason},
           {"samples", recorded.samples},
           {"lost", recorded.gaps.lost()},
+          {"end_heard", recorded.gaps.end_heard()},
           {"writers", writers}};
 }
 
 void print(const Recorded& recorded, const std::string& file) {
-  std::cout << fmt::format("{}: {} samples, {} lost ({})\n", file, recorded.samples, recorded.gaps.lost(),
+  std::cout << fmt::format("{}: {} samples, {} lost{} ({})\n", file, recorded.samples, recorded.gaps.lost(),
+                           recorded.gaps.end_heard() ? "" : " as far as is known: the end was not heard",
                            recorded.reason);
   for (const auto& [key, writer] : recorded.gaps.writers()) {
-    if (writer.lost() == 0) continue;
-    std::cout << fmt::format("  {}: {} of {} lost\n", name_of(writer), writer.lost(), writer.lost() + writer.kept);
+    const bool heard = writer.tail.heard.value_or(true);
+    if (writer.lost() == 0 && heard) continue;
+    std::cout << fmt::format("  {}: {} of {} lost{}\n", name_of(writer), writer.lost(), writer.lost() + writer.kept,
+                             heard ? "" : fmt::format(", heard up to number {}, not to its end", writer.last));
   }
 }
 
@@ -53,6 +60,7 @@ int record(RecordArguments& arguments) {
       if (!scenario) return kBad;
       arguments.plan.scenario = &*scenario;
     }
+    check_output(arguments.plan.file, {arguments.world.scenario});
     const Recorded recorded = record_attached(arguments.plan);
     if (recorded.exit_code != 0) std::cerr << "skein record: " << recorded.reason << "\n";
     if (!recorded.has_file) return recorded.exit_code;

@@ -8,6 +8,7 @@
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/replay/replay.hpp"
 #include "idl/process/dds_config.hpp"
+#include "idl/process/number_within.hpp"
 
 namespace skein {
 namespace {
@@ -75,10 +76,10 @@ VerbAction add_replay_verb(CLI::App& app) {
   add_common_flags(*verb, plan->common);
   verb->get_option("--startup-timeout")->description("seconds in which the observers of --wait must be there");
   verb->add_option("--rate", plan->rate, "times real time; 0: as fast as the machine can")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_within(0.0, 1e6))
       ->capture_default_str();
   verb->add_option("--from", plan->from_s, "seconds of simulated time to begin at")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(number_within(0.0, 1e9))
       ->capture_default_str();
   verb->add_option("--wait", plan->observers, "begin when so many observers are there")->check(CLI::Range(0U, 1000U));
   verb->add_flag("--json", *json, "print what was played as JSON");

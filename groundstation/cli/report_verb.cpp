@@ -7,6 +7,7 @@
 #include "groundstation/cli/write_report.hpp"
 #include "groundstation/figure/gnuplot.hpp"
 #include "groundstation/html/page.hpp"
+#include "groundstation/output/output_file.hpp"
 
 namespace skein {
 namespace {
@@ -22,6 +23,7 @@ struct ReportArguments {
 
 int report(const ReportArguments& arguments) {
   try {
+    check_output(arguments.out, input_files(arguments.file));
     const figure::Input input = figure::read_input(arguments.file);
     const auto notes = std::visit([](const auto& of) { return of.notes; }, input);
     for (const std::string& note : notes) std::cerr << fmt::format("{}: {}\n", arguments.file, note);

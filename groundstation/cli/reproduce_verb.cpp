@@ -2,18 +2,17 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <chrono>
-#include <cmath>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <thread>
 
 #include "groundstation/cli/verbs.hpp"
+#include "groundstation/output/output_file.hpp"
 #include "groundstation/reproduce/document.hpp"
+#include "groundstation/sweep/journal.hpp"
+#include "groundstation/sweep/progress.hpp"
+#include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/lockstep/run.hpp"
 
@@ -26,6 +25,7 @@ struct ReproduceArguments {
   std::optional<std::uint32_t> seeds;
   unsigned jobs = 0;
   std::string out;
+  std::string resume;
   bool json = false;
 };
 
@@ -36,44 +36,12 @@ std::string command_of(const ReproduceArguments& arguments) {
   return command;
 }
 
-/// Whether a file can be written there, found out before the runs. @return what is wrong, or nothing
-std::optional<std::string> unwritable(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) return "it is a folder";
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  const bool exists = std::filesystem::exists(file, error);
-  if (access((exists ? file : folder).c_str(), W_OK) != 0) return std::strerror(errno);
-  return std::nullopt;
+/// "rendezvous-2d: 12 of 100 runs; 30 % in all, 2 min 5 s left", at the pace so far.
+std::string progress_of(const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share,
+                        double before, double elapsed_s) {
+  const std::string left = share > before ? duration_text(elapsed_s * (1.0 - share) / (share - before)) : "?";
+  return fmt::format("{}: {} of {} runs; {:.0f} % in all, {} left", campaign.name, done, of, 100.0 * share, left);
 }
-
-std::string time_text(double seconds) {
-  const auto whole = static_cast<long>(std::floor(seconds + 0.5));
-  return whole < 60 ? fmt::format("{} s", whole) : fmt::format("{} min {} s", whole / 60, whole % 60);
-}
-
-/// One line on a terminal, written over itself; elsewhere a line as each campaign begins. The time left is what the
-/// rest takes at the pace so far.
-class ProgressLine {
- public:
-  void show(const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share) const {
-    if (!terminal_) {
-      if (done == 1) std::cerr << fmt::format("reproduce: {}: {} runs\n", campaign.name, of);
-      return;
-    }
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
-    const double left_s = spent.count() * (1.0 - share) / share;
-    std::cerr << fmt::format("\r\033[Kreproduce: {}: {} of {} runs; {:.0f} % in all, {} left", campaign.name, done, of,
-                             100.0 * share, time_text(left_s))
-              << std::flush;
-  }
-  void clear() const {
-    if (terminal_) std::cerr << "\r\033[K" << std::flush;
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) == 1;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-};
 
 std::vector<reproduce::Paper> papers_of(const std::string& what) {
   using reproduce::Paper;
@@ -81,20 +49,11 @@ std::vector<reproduce::Paper> papers_of(const std::string& what) {
   return {what == "transit" ? Paper::Transit : Paper::Rendezvous};
 }
 
-/// @return whether the text is in the file
-bool write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) std::cerr << fmt::format("cannot write {}: {}\n", path, std::strerror(errno));
-  return static_cast<bool>(file);
-}
-
 int run_reproduce(const ReproduceArguments& arguments) {
-  if (const auto fault = arguments.out.empty() ? std::nullopt : unwritable(arguments.out)) {
-    std::cerr << fmt::format("cannot write {}: {}\n", arguments.out, *fault);
-    return static_cast<int>(ExitCode::Usage);
-  }
+  if (!arguments.out.empty()) check_output(arguments.out, {});
+  std::error_code failed;
+  if (!arguments.resume.empty()) std::filesystem::create_directories(arguments.resume, failed);
+  if (failed) throw JournalRefused(fmt::format("{}: it cannot be made: {}", arguments.resume, failed.message()));
   const std::vector<reproduce::Paper> papers = papers_of(arguments.what);
   std::vector<reproduce::Campaign> campaigns;
   for (const reproduce::Paper paper : papers) {
@@ -110,18 +69,20 @@ int run_reproduce(const ReproduceArguments& arguments) {
     if (const auto arrived = signals.take()) signal = arrived;
     return signal.has_value();
   };
-  const ProgressLine progress;
-  options.on_progress = [&](const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share) {
-    progress.show(campaign, done, of, share);
+  options.journals = arguments.resume;
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  ProgressLine line(std::cerr, terminal ? ProgressKind::Terminal : ProgressKind::Lines, "reproduce", steady_now_s());
+  options.on_progress = [&](const reproduce::Campaign& campaign, std::size_t done, std::size_t of, double share,
+                            double before) {
+    const double now_s = steady_now_s();
+    line.show(progress_of(campaign, done, of, share, before, line.elapsed_s(now_s)), false, now_s);
   };
   const reproduce::Results results = reproduce::run_campaigns(campaigns, options);
-  progress.clear();
+  line.end();
   const reproduce::Document document = reproduce::document_of(command_of(arguments), papers, results);
   // a file that was whole stays whole: what there is of an interrupted run goes to standard output
   const bool to_file = !arguments.out.empty() && results.complete;
-  if (to_file && !write_file(arguments.out, text_of(document, reproduce::Layout::File))) {
-    return static_cast<int>(ExitCode::Usage);
-  }
+  if (to_file) write_output(arguments.out, text_of(document, reproduce::Layout::File));
   if (arguments.json) {
     std::cout << json_of(document).dump(2) << "\n";
   } else if (!to_file) {
@@ -146,10 +107,21 @@ VerbAction add_reproduce_verb(CLI::App& app) {
       ->check(CLI::Range(1U, 1'000'000U));
   verb->add_option("--jobs", arguments->jobs, "threads; by default one a core")->check(CLI::Range(1U, 1024U));
   verb->add_option("-o,--out", arguments->out, "Markdown file to write instead of standard output, without wall times");
+  verb->add_option("--resume", arguments->resume,
+                   "FOLDER of the runs that are done: what it has is not run again; it is made if it is not there");
   verb->add_flag("--json", arguments->json, "print JSON, with each figure's number and the sweeps' tables");
   verb->footer(
       "Exit code 130 after Ctrl-C, with what was run so far.\nExample: skein reproduce all --quick -o tables.md");
-  return [arguments] { return run_reproduce(*arguments); };
+  return [arguments] {
+    try {
+      return run_reproduce(*arguments);
+    } catch (const JournalRefused& refused) {
+      std::cerr << fmt::format("--resume: {}\n", refused.what());
+    } catch (const std::runtime_error& error) {
+      std::cerr << fmt::format("skein reproduce: {}\n", error.what());
+    }
+    return static_cast<int>(ExitCode::Usage);
+  };
 }
 
 }  // namespace skein

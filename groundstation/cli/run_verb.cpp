@@ -15,7 +15,9 @@
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/inprocess/in_process.hpp"
 #include "groundstation/launch/launcher.hpp"
+#include "groundstation/output/output_file.hpp"
 #include "groundstation/record/barrier_recorder.hpp"
+#include "groundstation/record/recording_file.hpp"
 #include "groundstation/record/tap.hpp"
 #include "idl/process/poll.hpp"
 #include "simworld/checkpoint/checkpoint.hpp"
@@ -241,6 +243,7 @@ int run(RunArguments& arguments) {
     if (arguments.world.wait_start && arguments.in_process) {
       throw std::runtime_error("--wait-start waits for a command: leave --in-process out");
     }
+    if (!arguments.record.empty()) check_output(arguments.record, {arguments.world.scenario, arguments.roster});
     const std::optional<Scenario> scenario = load_or_complain(arguments.world);
     if (!scenario) return static_cast<int>(ExitCode::Usage);
     const std::string& checkpoint = arguments.world.checkpoint;
@@ -266,6 +269,7 @@ int run(RunArguments& arguments) {
 }  // namespace
 
 VerbAction add_run_verb(CLI::App& app) {
+  const auto named = [](const std::string& file) { return file.empty() ? "it names no file" : std::string(); };
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* verb = app.add_subcommand("run", "run a scenario: one world, one agent process a vehicle");
   add_common_flags(*verb, arguments->world.common);
@@ -273,7 +277,8 @@ VerbAction add_run_verb(CLI::App& app) {
   verb->add_flag("--in-process", arguments->in_process, "all in this process, over the in-memory bus");
   verb->add_option("--roster", arguments->roster,
                    "with --in-process: repeat the losses and commands of this report.json");
-  verb->add_option("--record", arguments->record, "FILE.mcap: keep every sample of the run (docs/recording.md)");
+  verb->add_option("--record", arguments->record, "FILE.mcap: keep every sample of the run (docs/recording.md)")
+      ->check(named);
   verb->add_option("--per-process", arguments->per_process, "vehicles that share an agent process, 1 to 256")
       ->check(CLI::Range(std::size_t{1}, std::size_t{kMaxAgents}))
       ->capture_default_str();

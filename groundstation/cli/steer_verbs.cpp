@@ -9,7 +9,9 @@
 
 #include "groundstation/cli/verbs.hpp"
 #include "groundstation/steer/steering.hpp"
+#include "idl/convert/limits.hpp"
 #include "idl/process/common_flags.hpp"
+#include "idl/process/number_within.hpp"
 #include "planner/core/lockstep/names.hpp"
 
 namespace skein {
@@ -31,6 +33,13 @@ struct SteerArguments {
 };
 
 using Shared = std::shared_ptr<SteerArguments>;
+using limits::kPosition_m;
+using limits::kSpeed_mps;
+
+/// What the wire lets through (of a radius: in what agents sense): the world does not answer a command that is beyond.
+CLI::Validator within(double bound) {
+  return number_within(-bound, bound);
+}
 
 int run(const SteerArguments& arguments) {
   try {
@@ -64,7 +73,7 @@ CLI::App* add_verb(CLI::App& app, const char* name, const char* about, const Sha
   add_common_flags(*verb, arguments->common);
   verb->get_option("--startup-timeout")->description("seconds in which a swarm must be heard");
   verb->add_option("--deadline", arguments->request.deadline_s, "seconds in which it must be acknowledged")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_within(0.1, 3600.0))
       ->capture_default_str();
   verb->add_flag("--json", arguments->json, "print JSON on standard output");
   verb->footer(fmt::format("Example: skein {} --swarm geese", name));
@@ -93,9 +102,9 @@ VerbAction add_goto(CLI::App& app) {
   auto arguments = std::make_shared<SteerArguments>();
   auto speed_mps = std::make_shared<double>(0.0);
   CLI::App* verb = add_verb(app, "goto", "send an agent to a point, where it holds", arguments);
-  verb->add_option("POINT", arguments->point, "X Y Z in metres")->required()->expected(3);
+  verb->add_option("POINT", arguments->point, "X Y Z in metres")->required()->expected(3)->check(within(kPosition_m));
   add_agent(*verb, arguments, "the agent")->required();
-  verb->add_option("--speed", *speed_mps, "m/s; by default the vehicle's own")->check(CLI::PositiveNumber);
+  verb->add_option("--speed", *speed_mps, "m/s; by default the vehicle's own")->check(number_above_0(kSpeed_mps));
   verb->footer("Example: skein goto 120 -40 10 --agent 3 --speed 4");
   return [arguments, speed_mps] {
     arguments->request.what = Order{0, arguments->agent, OrderKind::Goto, vector_of(arguments->point), *speed_mps};
@@ -111,9 +120,14 @@ VerbAction add_inject(CLI::App& app) {
   verb->add_option("SHAPE", arguments->shape, "sphere, or column: upright, without ends")
       ->required()
       ->check(CLI::IsMember({"sphere", "column"}));
-  verb->add_option("--at", arguments->point, "X Y Z of its centre in metres")->required()->expected(3);
-  verb->add_option("--radius", obstacle->radius_m, "metres")->required()->check(CLI::PositiveNumber);
-  verb->add_option("--velocity", arguments->velocity, "VX VY VZ in m/s; by default it never moves")->expected(3);
+  verb->add_option("--at", arguments->point, "X Y Z of its centre in metres")
+      ->required()
+      ->expected(3)
+      ->check(within(kPosition_m));
+  verb->add_option("--radius", obstacle->radius_m, "metres")->required()->check(number_above_0(kPosition_m));
+  verb->add_option("--velocity", arguments->velocity, "VX VY VZ in m/s; by default it never moves")
+      ->expected(3)
+      ->check(within(kSpeed_mps));
   verb->footer("Example: skein inject obstacle sphere --at 100 50 10 --radius 5 --velocity -2 0 0");
   return [arguments, obstacle] {
     obstacle->position_m = vector_of(arguments->point);

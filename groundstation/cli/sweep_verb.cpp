@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
 #include <iostream>
 #include <thread>
 
@@ -11,12 +10,14 @@
 #include "groundstation/cli/write_report.hpp"
 #include "groundstation/figure/gnuplot.hpp"
 #include "groundstation/html/page.hpp"
+#include "groundstation/output/output_file.hpp"
 #include "groundstation/sweep/curves.hpp"
 #include "groundstation/sweep/journal.hpp"
 #include "groundstation/sweep/junit.hpp"
 #include "groundstation/sweep/progress.hpp"
 #include "groundstation/sweep/sweep.hpp"
 #include "groundstation/sweep/table.hpp"
+#include "idl/process/number_within.hpp"
 #include "idl/process/poll.hpp"
 #include "idl/process/signals.hpp"
 #include "simworld/lockstep/run.hpp"
@@ -123,16 +124,16 @@ Json document_of(const SweepArguments& arguments, const SweepResult& result) {
   return document;
 }
 
-/// @return the exit code if the page cannot be written, said in one line
-std::optional<int> guarded_report(const std::function<void()>& action) {
+/// @return the exit code if an output of that flag cannot be written, said in one line
+std::optional<int> guarded(const char* flag, const std::function<void()>& action) {
   try {
     action();
     return std::nullopt;
   } catch (const figure::NoGnuplot& error) {
-    std::cerr << fmt::format("--report: {}\n", error.what());
+    std::cerr << fmt::format("{}: {}\n", flag, error.what());
     return static_cast<int>(ExitCode::StartUp);
   } catch (const std::exception& error) {
-    std::cerr << fmt::format("--report: {}\n", error.what());
+    std::cerr << fmt::format("{}: {}\n", flag, error.what());
     return static_cast<int>(ExitCode::Usage);
   }
 }
@@ -169,45 +170,78 @@ std::optional<SweepResult> run_shown(SweepPlan& plan, ProgressKind kind) {
   return std::nullopt;
 }
 
+std::size_t runs_of(const SweepResult& result) {
+  std::size_t runs = 0;
+  for (const Json& row : result.rows) runs += row.at("runs").get<std::size_t>();
+  return runs;
+}
+
+/// Before the runs. @return the exit code if one cannot be written
+std::optional<int> check_outputs(const SweepArguments& arguments) {
+  const std::string& scenario = arguments.world.scenario;
+  const auto check_report = [&] {
+    check_output(arguments.report, {scenario, arguments.resume});
+    check_gnuplot();
+  };
+  const auto check_junit = [&] { check_output(arguments.junit, {scenario, arguments.resume, arguments.report}); };
+  std::optional<int> code;
+  if (!arguments.junit.empty()) code = guarded("--junit", check_junit);
+  if (!code && !arguments.report.empty()) code = guarded("--report", check_report);
+  return code;
+}
+
+/// After the runs. @return the exit code if one cannot be written
+std::optional<int> write_outputs(const SweepArguments& arguments, const SweepResult& result) {
+  const auto write_junit = [&] {
+    write_output(arguments.junit, junit_xml(arguments.world.scenario, junit_suites(result.rows, arguments.runs)));
+  };
+  const auto write_page = [&] {
+    const figure::Json document = document_of(arguments, result);
+    write_report(figure::input_of_sweep(arguments.world.scenario, document), arguments.report,
+                 command_of(arguments) + " --report " + html::shell_word(arguments.report));
+  };
+  std::optional<int> code;
+  if (!arguments.junit.empty()) code = guarded("--junit", write_junit);
+  if (!code && !arguments.report.empty()) code = guarded("--report", write_page);
+  return code;
+}
+
+void print(const SweepArguments& arguments, const SweepResult& result, std::size_t total) {
+  if (arguments.json) {
+    std::cout << document_of(arguments, result).dump(2) << "\n";
+    return;
+  }
+  if (result.stopped) std::cout << fmt::format("PARTIAL: {} of {} runs\n", runs_of(result), total);
+  if (result.rows.size() > 1) {
+    print_side_by_side(result.rows, table_of(result.rows));
+  } else {
+    print_table(result.rows);
+  }
+}
+
 int sweep(const SweepArguments& arguments) {
   SweepPlan plan = plan_of(arguments);
   if (plan.first_seed + (plan.runs - 1) < plan.first_seed) {
     std::cerr << fmt::format("--seed {}: {} runs from it go beyond 2^64 - 1\n", plan.first_seed, plan.runs);
     return static_cast<int>(ExitCode::Usage);
   }
-  if (!arguments.report.empty()) {
-    if (const auto code = guarded_report([&] { check_report(arguments.report); })) return *code;
-  }
+  if (const auto code = check_outputs(arguments)) return *code;
   const SignalWatch signals({SIGINT, SIGTERM});
   std::optional<int> signal;
   plan.stop = [&] {
     if (const auto arrived = signals.take()) signal = arrived;
     return signal.has_value();
   };
-  std::ofstream junit;
-  if (!arguments.junit.empty()) junit.open(arguments.junit, std::ios::binary);
-  if (!junit) return complain(fmt::format("--junit: cannot write {}", arguments.junit));
   const std::optional<SweepResult> made = run_shown(plan, progress_kind(arguments));
   if (!made) return static_cast<int>(ExitCode::Usage);
   const SweepResult& result = *made;
-  if (junit.is_open()) junit << junit_xml(arguments.world.scenario, junit_suites(result.rows)) << std::flush;
-  if (!junit) return complain(fmt::format("--junit: cannot write {}", arguments.junit));
-  if (arguments.json) {
-    std::cout << document_of(arguments, result).dump(2) << "\n";
-  } else if (result.rows.size() > 1) {
-    print_side_by_side(result.rows, table_of(result.rows));
-  } else {
-    print_table(result.rows);
+  const std::size_t total = result.rows.size() * plan.runs;
+  print(arguments, result, total);
+  if (const auto code = write_outputs(arguments, result)) return *code;
+  if (signal) {
+    std::cerr << interrupted_text(runs_of(result), total, arguments.resume) << "\n";
+    return 128 + *signal;
   }
-  if (!arguments.report.empty()) {
-    const auto write = [&] {
-      const figure::Json document = document_of(arguments, result);
-      write_report(figure::input_of_sweep(arguments.world.scenario, document), arguments.report,
-                   command_of(arguments) + " --report " + html::shell_word(arguments.report));
-    };
-    if (const auto code = guarded_report(write)) return *code;
-  }
-  if (signal) return 128 + *signal;
   for (const Json& row : result.rows) {
     if (arguments.require_success && row.at("success_rate").get<double>() < *arguments.require_success) {
       std::cerr << fmt::format("{}: success rate {:.4f} is under the required {}\n", title_of(row),
@@ -234,7 +268,7 @@ VerbAction add_sweep_verb(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--jobs", arguments->jobs, "threads; by default one a core")->check(CLI::Range(1U, 1024U));
   verb->add_option("--require-success", arguments->require_success, "exit 1 if a success rate is lower")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_within(0.0, 1.0));
   verb->add_option("--curves", arguments->curves, "folder for the curves (CSV) of each combination's first run");
   verb->add_option("--report", arguments->report, "FILE.html: a page with tables and box plots (docs/reports.md)");
   verb->add_option("--junit", arguments->junit, "FILE.xml: a test case a run, failures with their reason");

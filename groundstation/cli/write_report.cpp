@@ -2,26 +2,24 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <filesystem>
 
 #include "groundstation/figure/figures.hpp"
 #include "groundstation/figure/gnuplot.hpp"
 #include "groundstation/html/pages.hpp"
+#include "groundstation/output/output_file.hpp"
 #include "simworld/report/report.hpp"
 
 namespace skein {
 
-void write_whole(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file) throw std::runtime_error(fmt::format("cannot write {}: {}", path, std::strerror(errno)));
+std::vector<std::string> input_files(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path folder = fs::is_directory(path, ignored) ? fs::path(path) : fs::path(path).parent_path();
+  return {path, (folder / "report.json").string(), (folder / "scenario.yaml").string()};
 }
 
-void check_report(const std::string& path) {
-  write_whole(path, "");
+void check_gnuplot() {
   (void)figure::draw("set terminal svg\nplot 0\n");
 }
 
@@ -40,7 +38,7 @@ void write_report(const figure::Input& input, const std::string& path, const std
     drawn.drawings.push_back(
         {std::string(name), figure::draw(figure::script_of(figure, figure::Format::Svg)), figure.caption});
   }
-  write_whole(path, std::visit([&](const auto& of) { return html::page_of(of, drawn); }, input));
+  write_output(path, std::visit([&](const auto& of) { return html::page_of(of, drawn); }, input));
 }
 
 }  // namespace skein

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "groundstation/figure/input.hpp"
 
@@ -11,10 +12,10 @@ namespace skein {
 /// @throws figure::NoGnuplot; std::runtime_error with one line if nothing can be drawn or the file cannot be written
 void write_report(const figure::Input& input, const std::string& path, const std::string& command);
 
-/// Whether there will be a page: before something long is done for it. Empties the file. @throws as write_report()
-void check_report(const std::string& path);
+/// Whether something can be drawn at all: before something long is done for it. @throws as write_report()
+void check_gnuplot();
 
-/// A whole file. @throws std::runtime_error with one line
-void write_whole(const std::string& path, const std::string& bytes);
+/// The files that figure::read_input() reads of a FILE or DIR.
+[[nodiscard]] std::vector<std::string> input_files(const std::string& path);
 
 }  // namespace skein

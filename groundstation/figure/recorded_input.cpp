@@ -20,6 +20,11 @@ void attempt(RunInput& input, const std::function<void()>& action) {
   }
 }
 
+/// "1 sample was", "7 samples were".
+std::string samples_that(const std::string& count, const char* of_one, const char* of_many) {
+  return count == "1" ? fmt::format("1 sample {}", of_one) : fmt::format("{} samples {}", count, of_many);
+}
+
 /// The mission first: it says which run it is.
 RunCollector collect(const mcap::Reader& reader, RunInput& input) {
   RunCollector collector;
@@ -53,7 +58,11 @@ void take_facts(const mcap::Reader& reader, RunInput& input) {
   if (const auto kept = reader.metadata("skein.kept")) {
     for (const char* name : {"samples", "lost", "refused"}) input.facts[name] = fact(kept->texts, name);
     const std::string lost = fact(kept->texts, "lost");
-    if (!lost.empty() && lost != "0") input.notes.push_back(fmt::format("{} samples were lost while recording", lost));
+    if (!lost.empty() && lost != "0")
+      input.notes.push_back(samples_that(lost, "was", "were") + " lost while recording");
+    if (fact(kept->texts, "end_heard") == "false") {
+      input.notes.push_back("the end was not heard while recording: more may be lost than was counted");
+    }
   }
   if (const auto report = reader.attachment(kReportName)) {
     input.report = Json::parse(report->data, nullptr, false);
@@ -87,7 +96,9 @@ RunInput input_of_recording(const std::string& path) {
     if (!reader.missing().empty()) input.notes.push_back(fmt::format("the file is not whole: {}", reader.missing()));
     const RunCollector collector = collect(reader, input);
     if (!collector.has_mission()) throw std::runtime_error("it holds no mission, hence nothing to draw");
-    if (collector.unreadable() > 0) input.notes.push_back(fmt::format("{} samples are none", collector.unreadable()));
+    if (const std::string bad = std::to_string(collector.unreadable()); bad != "0") {
+      input.notes.push_back(samples_that(bad, "cannot be read and is", "cannot be read and are") + " left out");
+    }
     input.data = collector.data();
     for (const Zone& zone : input.data.mission.zones) input.outlines.push_back(outline_of(zone));
     for (const Announcement& item : input.data.mission.announced) input.outlines.push_back(outline_of(item));

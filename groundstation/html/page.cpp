@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "groundstation/html/style.hpp"
-#include "groundstation/html/utf8.hpp"
+#include "planner/core/text/utf8.hpp"
 
 namespace skein::html {
 namespace {

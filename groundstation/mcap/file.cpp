@@ -19,15 +19,22 @@ namespace {
 }  // namespace
 
 OutputFile::OutputFile(std::string path)
-    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)) {
+  is_new_ = descriptor_ >= 0;
+  if (!is_new_) descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (descriptor_ < 0) fail(path_, "it cannot be written");
+  struct stat status {};
+  is_regular_ = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 OutputFile::~OutputFile() {
+  if (is_new_ && !is_written_) ::unlink(path_.c_str());
   ::close(descriptor_);
 }
 
 void OutputFile::write(ByteView bytes) {
+  if (!is_written_ && is_regular_ && ::ftruncate(descriptor_, 0) != 0) fail(path_, "it cannot be written");
+  is_written_ = true;
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;

@@ -9,12 +9,15 @@
 
 namespace skein::mcap {
 
-/// A new file; one that is there is emptied. What was written is the system's, so it outlives a SIGKILL.
+/// A new file. One that is there is emptied by the first write, and a new one without a write is no file in the end.
+/// What was written is the system's, so it outlives a SIGKILL.
 class OutputFile {
  public:
   /// @throws std::runtime_error with one line (both)
   explicit OutputFile(std::string path);
   void write(ByteView bytes);
+  /// Else a device, a pipe.
+  [[nodiscard]] bool is_regular() const { return is_regular_; }
 
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -23,6 +26,9 @@ class OutputFile {
  private:
   std::string path_;
   int descriptor_;
+  bool is_new_ = false;
+  bool is_regular_ = false;
+  bool is_written_ = false;
 };
 
 /// A file's bytes, for as long as the object lives. What is appended meanwhile is not seen.

@@ -1,8 +1,10 @@
 // Reads an MCAP file: by its summary if there is one, else by going through it, up to its last whole chunk.
 //
 // A file that was cut (a process was killed) opens, and missing() says in one line what is not there. Damage is another
-// thing: what a checksum covers and does not match is a Damaged, which names the record and its place. check() reads
-// everything; after it, every byte of a whole file is known to be as it was written.
+// thing: what a checksum covers and does not match is a Damaged, which names the record and its place; and so is an end
+// at which no cut can leave a file: another closing magic, something behind it, or what begins like no record. check()
+// reads everything; after it, every byte of a whole file is known to be as it was written. Of a file that was cut, a
+// record that claims more bytes than there are is the cut one, be it that or a changed length.
 //
 // Source: https://mcap.dev/spec. Departs from source: messages outside chunks and lz4 are refused.
 // Complexity: opening a whole file O(summary), a cut one O(file); a look by time O(chunks + the chunks it meets).
@@ -71,6 +73,8 @@ class Reader {
   void take_summary(std::uint64_t from, std::uint64_t to);
   void scan();
   void scan_chunk(std::uint64_t offset, const Chunk& chunk);
+  /// Of a file without summary: whether it ends within a record, or after one, and nothing else stands there.
+  void check_tail(std::uint64_t at) const;
   void end_of_scan(std::uint64_t end, bool ended);
   template <typename Record>
   [[nodiscard]] Record record(std::uint64_t offset, std::uint64_t length) const;

@@ -10,6 +10,13 @@ namespace {
 constexpr std::size_t kFooterContent = 20;
 constexpr std::size_t kFooterRecord = kRecordHead + kFooterContent;
 
+/// Of the format, or of an application.
+bool is_opcode(std::uint8_t byte) {
+  const bool of_format =
+      byte >= static_cast<std::uint8_t>(Opcode::Header) && byte <= static_cast<std::uint8_t>(Opcode::DataEnd);
+  return of_format || byte >= 0x80;
+}
+
 /// Of a record in the summary or the data section. @throws Damaged
 template <typename Record>
 Record read(const Framed& framed, std::uint64_t offset) {
@@ -25,7 +32,9 @@ bool Reader::open_by_summary() {
   if (!std::ranges::equal(file_.last(kMagic.size()), kMagic)) return false;
   const std::size_t footer_at = size - kMagic.size() - kFooterRecord;
   const auto framed = record_at(file_, footer_at);
-  if (!framed || framed->opcode != Opcode::Footer || framed->content.size() != kFooterContent) return false;
+  if (!framed || framed->opcode != Opcode::Footer || framed->content.size() != kFooterContent) {
+    throw Damaged(footer_at, "there is no footer, though the file ends as a whole one does");
+  }
   const auto footer = read<Footer>(*framed, footer_at);
   const std::uint64_t start = footer.summary_start == 0 ? footer_at : footer.summary_start;
   if (start > footer_at) throw Damaged(footer_at, "a footer that points behind itself");
@@ -68,7 +77,10 @@ void Reader::take_summary(std::uint64_t from, std::uint64_t to) {
 void Reader::scan() {
   std::uint64_t at = kMagic.size();
   while (const auto framed = record_at(file_, at)) {
-    if (framed->opcode == Opcode::DataEnd) return end_of_scan(at + framed->size, true);
+    if (framed->opcode == Opcode::DataEnd) {
+      check_tail(at + framed->size);
+      return end_of_scan(at + framed->size, true);
+    }
     if (framed->opcode == Opcode::Chunk) {
       scan_chunk(at, read<Chunk>(*framed, at));
       contents_.chunks.back().chunk_length = framed->size;
@@ -89,7 +101,21 @@ void Reader::scan() {
     }
     at += framed->size;
   }
+  check_tail(at);
   end_of_scan(at, false);
+}
+
+void Reader::check_tail(std::uint64_t at) const {
+  while (const auto framed = record_at(file_, at)) {
+    at += framed->size;
+    if (framed->opcode != Opcode::Footer) continue;
+    const ByteView end = file_.subspan(static_cast<std::size_t>(at));
+    const auto [in_file, in_magic] = std::ranges::mismatch(end, kMagic);
+    if (in_file != end.end()) throw Damaged(at, "the file does not end as it should after its footer");
+    return;
+  }
+  const ByteView rest = file_.subspan(static_cast<std::size_t>(at));
+  if (!rest.empty() && !is_opcode(rest.front())) throw Damaged(at, "what begins there is no record");
 }
 
 void Reader::scan_chunk(std::uint64_t offset, const Chunk& chunk) {

@@ -40,8 +40,8 @@ const Style kHeading{Colour::Default, true, false, false};
 void draw_title(Grid& grid, const watch::SwarmView& view, const Surroundings& surroundings) {
   std::string text = fmt::format(" skein {}  ", surroundings.swarm);
   if (view.heard_tick) {
-    text += fmt::format("{}  step {}  {:.1f} s  x{:.1f}  {} live", name_of(view.phase), view.step, view.time_s,
-                        view.times_real_time, view.live);
+    text += fmt::format("{}  step {}  {:.1f} s  x{}  {} live", name_of(view.phase), view.step, view.time_s,
+                        view.times_real_time ? fmt::format("{:.1f}", *view.times_real_time) : "-", view.live);
   } else {
     text += "no tick heard yet";
   }

@@ -44,7 +44,9 @@ Terminal::Terminal() : symbols_(speaks_unicode() ? Symbols::Braille : Symbols::A
   if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
     throw std::runtime_error("standard input and output are no terminal; `skein status --watch` needs none");
   }
-  if (newterm(nullptr, stdout, stdin) == nullptr) {
+  const bool known = newterm(nullptr, stdout, stdin) != nullptr;
+  if (!known || tigetstr("cup") == nullptr) {  // it cannot put the cursor anywhere
+    if (known) endwin();
     const char* name = std::getenv("TERM");
     throw std::runtime_error(std::string("cannot draw on a terminal of type '") + (name == nullptr ? "" : name) + "'");
   }

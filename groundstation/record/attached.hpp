@@ -17,14 +17,16 @@ struct RecordPlan {
 };
 
 struct Recorded {
-  int exit_code = 0;   ///< 0 the run ended; 2, 3 no swarm; 4 its world went without a last tick; 128 + a signal
+  int exit_code = 0;   ///< 0 the run ended; 2, 3 no swarm, or none any more after this process stood
+                       ///< still; 4 its world went without a last tick; 128 + a signal
   std::string reason;  ///< in one line
   std::uint64_t samples = 0;
   Gaps gaps;
   bool has_file = false;
 };
 
-/// Records swarm `common.swarm`, or the domain's only one. Once a swarm is there the file is finished, however it ends.
+/// Records swarm `common.swarm`, or the domain's only one. Once a sample is there the file is finished, however it
+/// ends.
 /// @throws std::runtime_error if DDS cannot be had, or the file cannot be written
 [[nodiscard]] Recorded record_attached(const RecordPlan& plan);
 

@@ -16,6 +16,7 @@ std::size_t BusRecorder::take() {
     heard_tick_ = heard_tick_ || sample.topic == bus::TopicId::Tick;
     const auto head = head_of(sample.topic, sample.payload);
     gaps_.note(sample, from_world, head ? head->agent : kWorldId);
+    ends_.note(sample, from_world);
     rounds_.note(sample.topic, sample.payload);
     record_({sample.topic, from_world, sample.sequence, sample.payload});
   }

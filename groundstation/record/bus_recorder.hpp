@@ -24,6 +24,8 @@ class BusRecorder {
 
   [[nodiscard]] const RoundBook& rounds() const { return rounds_; }
   [[nodiscard]] const Gaps& gaps() const { return gaps_; }
+  /// Up to where each writer was heard, as far as ticks tell.
+  [[nodiscard]] const HeardEnds& ends() const { return ends_; }
   /// Whether a tick of any phase was heard.
   [[nodiscard]] bool heard_tick() const { return heard_tick_; }
 
@@ -34,6 +36,7 @@ class BusRecorder {
   TakeSample record_;
   RoundBook rounds_;
   Gaps gaps_;
+  HeardEnds ends_;
   std::set<Process> worlds_;
   bool heard_tick_ = false;
   std::vector<bus::RawSample> arrived_;

@@ -116,6 +116,7 @@ Results run_campaigns(std::span<const Campaign> campaigns, const CampaignOptions
   for (const Campaign& campaign : campaigns) all_s += cost_s(campaign, options, all_runs(campaign, options));
   Results results;
   double done_s = 0.0;
+  double before_s = 0.0;
   for (const Campaign& campaign : campaigns) {
     SweepPlan plan;
     plan.scenario = campaign.scenario;
@@ -124,9 +125,12 @@ Results run_campaigns(std::span<const Campaign> campaigns, const CampaignOptions
     plan.runs = runs_of(campaign, options);
     plan.jobs = options.jobs;
     plan.stop = options.stop;
+    if (!options.journals.empty()) plan.journal = options.journals + "/" + campaign.name + ".jsonl";
+    plan.on_resume = [&](std::size_t done) { before_s += cost_s(campaign, options, done); };
     plan.on_progress = [&](std::size_t done, std::size_t of) {
-      if (options.on_progress)
-        options.on_progress(campaign, done, of, (done_s + cost_s(campaign, options, done)) / all_s);
+      if (!options.on_progress) return;
+      const double share = (done_s + cost_s(campaign, options, done)) / all_s;
+      options.on_progress(campaign, done, of, share, before_s / all_s);
     };
     SweepResult swept = run_sweep(plan);
     done_s += cost_s(campaign, options, all_runs(campaign, options));

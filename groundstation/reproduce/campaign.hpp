@@ -36,8 +36,10 @@ struct CampaignOptions {
   std::optional<std::uint32_t> seeds;  ///< instead of each campaign's own number of runs
   unsigned jobs = 1;                   ///< threads; what comes out does not depend on it
   std::function<bool()> stop;          ///< asked between runs; empty for never
-  /// Called in any thread, one at a time: the campaign, its runs, and the share of all work that is done.
-  std::function<void(const Campaign&, std::size_t done, std::size_t of, double share)> on_progress;
+  std::string journals;                ///< folder with a journal (journal.hpp) of each campaign; empty for none
+  /// Called in any thread, one at a time: the campaign, its runs, the share of all work that is done, and that share of
+  /// it which the journals had.
+  std::function<void(const Campaign&, std::size_t done, std::size_t of, double share, double before)> on_progress;
 };
 
 struct CampaignResult {
@@ -54,7 +56,7 @@ struct Results {
 
 [[nodiscard]] std::uint32_t runs_of(const Campaign& campaign, const CampaignOptions& options);
 
-/// One after the other. @throws std::invalid_argument if a scenario is not valid
+/// One after the other. @throws std::invalid_argument if a scenario is not valid, JournalRefused
 [[nodiscard]] Results run_campaigns(std::span<const Campaign> campaigns, const CampaignOptions& options);
 
 /// What one combination gave: the sweep's row, and its entry in the table.

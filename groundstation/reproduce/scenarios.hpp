@@ -1,4 +1,4 @@
-// The scenarios of the papers' experiments as texts, put into the program when it is built (embed.cmake).
+// The scenarios of the papers' experiments as texts, put into the program when it is built.
 #pragma once
 
 #include <string_view>

@@ -103,7 +103,10 @@ class Steerer {
 
   static std::int64_t wall_now_ns() { return static_cast<std::int64_t>(steady_now_s() * 1e9); }
 
+  /// Of the verb.
   [[nodiscard]] std::string name() const {
+    const auto* injection = std::get_if<Injection>(&request_.what);
+    if (injection != nullptr && injection->kind == InjectionKind::Obstacle) return "inject";
     return std::visit([](const auto& what) { return std::string(name_of(what.kind)); }, request_.what);
   }
 

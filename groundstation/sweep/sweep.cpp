@@ -1,5 +1,6 @@
 #include "groundstation/sweep/sweep.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
@@ -134,16 +135,29 @@ Json figures_of(const Json& report) {
 
 namespace {
 
-std::optional<SweepJournal> journal_of(const SweepPlan& plan, const std::vector<Scenario>& scenarios) {
+/// What row_of(), table_of() and junit_suites() take from a run.
+bool is_run(const Json& run) {
+  const auto is = [&](const char* key, auto&& holds) { return run.contains(key) && holds(run.at(key)); };
+  const auto is_text = [](const Json& value) { return value.is_string(); };
+  const auto is_verdict = [](const Json& value) { return value.is_boolean() || value.is_null(); };
+  return is("exit_code", [](const Json& value) { return value.is_number_integer(); }) && is("state_hash", is_text) &&
+         is("reason", is_text) && is("plan_feasible", is_verdict) && is("plan_success", is_verdict) &&
+         is("figures", [](const Json& figures) {
+           return figures.is_object() &&
+                  std::ranges::all_of(figures, [](const Json& value) { return value.is_number(); });
+         });
+}
+
+std::optional<RunJournal> journal_of(const SweepPlan& plan, const std::vector<Scenario>& scenarios) {
   if (plan.journal.empty()) return std::nullopt;
   std::vector<std::uint64_t> hashes;
   hashes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios) hashes.push_back(scenario.scenario_hash);
-  return SweepJournal(plan.journal, hashes);
+  return RunJournal(plan.journal, "sweep", hashes, is_run);
 }
 
 /// Takes what the journal has, but for the first run of a row, if that is to leave its curves. @return how many
-std::size_t take_done(const SweepPlan& plan, const SweepJournal& journal, std::vector<std::vector<Json>>& results) {
+std::size_t take_done(const SweepPlan& plan, const RunJournal& journal, std::vector<std::vector<Json>>& results) {
   std::size_t taken = 0;
   for (std::size_t row = 0; row < results.size(); ++row) {
     for (std::size_t i = plan.curves.empty() ? 0 : 1; i < results[row].size(); ++i) {
@@ -171,7 +185,7 @@ SweepResult run_sweep(const SweepPlan& plan) {
   for (std::size_t i = 0; i < curves.size(); ++i) write_zones(scenarios[i], curves[i]);
   const std::size_t total = combinations.size() * plan.runs;
   std::vector<std::vector<Json>> results(combinations.size(), std::vector<Json>(plan.runs));
-  std::optional<SweepJournal> journal = journal_of(plan, scenarios);
+  std::optional<RunJournal> journal = journal_of(plan, scenarios);
   std::size_t done = journal ? take_done(plan, *journal, results) : 0;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stopped{false};
@@ -210,9 +224,9 @@ SweepResult run_sweep(const SweepPlan& plan) {
     work();
   }
   if (failure) std::rethrow_exception(failure);
-  SweepResult result{stopped, Json::array()};
+  SweepResult result{false, Json::array()};
   for (std::size_t i = 0; i < combinations.size(); ++i) {
-    std::erase_if(results[i], [](const Json& run) { return run.is_null(); });
+    result.stopped = std::erase_if(results[i], [](const Json& run) { return run.is_null(); }) > 0 || result.stopped;
     result.rows.push_back(row_of(combinations[i], results[i]));
   }
   return result;

@@ -36,7 +36,7 @@ struct SweepPlan {
 };
 
 struct SweepResult {
-  bool stopped = false;
+  bool stopped = false;  ///< not all runs were made
   /// One per combination: set, runs, success_rate, failures, figures {name: mean, sd, min, p50, p95, max}, per_run
   /// (seed, exit_code, state_hash, reason, plan_feasible, plan_success, figures).
   nlohmann::ordered_json rows;

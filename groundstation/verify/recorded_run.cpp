@@ -39,9 +39,11 @@ void RecordedRun::add(TopicId topic, std::span<const std::uint8_t> payload) {
       return take<wire::Representative>(topic, payload);
     case TopicId::ObstacleMap:
       return take<wire::ObstacleMap>(topic, payload);
-    case TopicId::Command:
     case TopicId::Inject:
-      return;  // what came of them the ticks say
+      if (const auto inject = from_cdr<wire::Inject>(payload)) injects_.try_emplace(inject->id(), *inject);
+      return;
+    case TopicId::Command:
+      return;  // what came of it the ticks say
   }
 }
 
@@ -99,6 +101,22 @@ void RecordedRun::add_orders(const wire::Tick& sample) {
   const Checked<Tick> checked = from_wire(sample, {});
   if (!checked.ok()) return;
   for (const Order& order : checked.value().orders) orders_.push_back({sample.round(), order});
+  for (const OrderAnswer& answer : checked.value().answers) {
+    const bool is_known = std::ranges::any_of(accepted_, [&](const auto& item) { return item.first == answer.id; });
+    if (answer.result == OrderResult::Accepted && !is_known) accepted_.emplace_back(answer.id, answer.round);
+  }
+}
+
+std::vector<InjectedAt> RecordedRun::injections() const {
+  std::vector<InjectedAt> injections;
+  for (const auto& [id, round] : accepted_) {
+    const auto sample = injects_.find(id);
+    if (sample == injects_.end()) continue;
+    const Checked<Inject> checked = from_wire(sample->second, {.run = run_, .known = {}, .roster = std::nullopt});
+    if (!checked.ok() || checked.value().injection.kind != InjectionKind::Obstacle) continue;
+    injections.push_back({round, checked.value().injection});
+  }
+  return injections;
 }
 
 void RecordedRun::add_typed(const wire::Beacon& sample) {

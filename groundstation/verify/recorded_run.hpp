@@ -44,6 +44,9 @@ class RecordedRun {
   [[nodiscard]] std::vector<RosterChange> roster_changes() const;
   /// Commands, by the ticks that say them.
   [[nodiscard]] const std::vector<OrderedAt>& orders() const { return orders_; }
+  /// Obstacles that were put in its way, from the round that ticks say of each, in the order of those; of one whose
+  /// sample or answer is not there nothing is known.
+  [[nodiscard]] std::vector<InjectedAt> injections() const;
   [[nodiscard]] std::uint32_t last_round() const { return ticks_.empty() ? 0 : ticks_.rbegin()->first; }
   /// What the run came to, if its last tick is there.
   [[nodiscard]] std::optional<Outcome> outcome() const;
@@ -72,6 +75,8 @@ class RecordedRun {
   std::map<SampleName, Bytes> broken_;
   std::map<std::uint32_t, wire::Tick> ticks_;  ///< by round, without what is not compared
   std::vector<OrderedAt> orders_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> accepted_;  ///< ids that ticks answer, with their rounds
+  std::map<std::uint64_t, wire::Inject> injects_;                  ///< by id, of any run
   std::uint64_t unreadable_ = 0;
 };
 

@@ -24,7 +24,9 @@ std::string fact(const mcap::Metadata& metadata, const std::string& name) {
 mcap::Metadata facts_of(const mcap::Reader& file) {
   const auto metadata = file.metadata("skein.scenario");
   if (!metadata) {
-    throw std::runtime_error("it holds no scenario to run again: record with skein run, or name it with --scenario");
+    throw std::runtime_error(
+        "it holds no scenario to run again: record with skein run --record, or name the "
+        "scenario: skein record SCENARIO");
   }
   return *metadata;
 }
@@ -37,11 +39,12 @@ std::uint64_t seed_of(const mcap::Metadata& metadata) {
   return seed;
 }
 
-/// What happened to the run: of losses with the reasons that the report tells, if it is there; obstacles that were put
-/// in its way stand there alone.
+/// What happened to the run: of losses with the reasons that the report tells, if it is there. Best effort, a recorder
+/// may lack an obstacle's sample; the report has it.
 void add_events(const mcap::Reader& file, const RecordedRun& recorded, InProcessOptions& options) {
   options.replay = recorded.roster_changes();
   options.orders = recorded.orders();
+  options.injections = recorded.injections();
   const auto report = file.attachment(kReportName);
   if (!report) return;
   const auto json = nlohmann::json::parse(report->data, nullptr, false);

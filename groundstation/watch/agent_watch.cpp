@@ -1,6 +1,7 @@
 #include "groundstation/watch/agent_watch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "groundstation/watch/planned_path.hpp"
 
@@ -10,6 +11,12 @@ namespace {
 /// An agent that has sensed nothing yet says zeros.
 bool says_where(const Beacon& beacon) {
   return beacon.step > 0 && beacon.incarnation > 0 && !(beacon.pose == Pose{});
+}
+
+/// Whether it flies by command, not for its mission.
+bool obeys(AgentMode mode) {
+  return mode == AgentMode::Holding || mode == AgentMode::GoingTo || mode == AgentMode::Landing ||
+         mode == AgentMode::Landed;
 }
 
 std::optional<std::size_t> rank_of(const Mission* mission, AgentId id) {
@@ -49,17 +56,39 @@ bool AgentWatch::take(const Beacon& beacon, const Arrival& arrival, const StepCl
   }
   if (beacon.closes_round) count_late(beacon, arrival.stamp_ns, clock);
   note_motion(beacon, mission);
-  if (beacon.cost > 0.0) {
-    const CostPoint point{beacon.generation, beacon.cost};
-    if (!costs_.empty() && beacon.generation < costs_.last().generation) costs_.clear();  // another search
-    if (!costs_.empty() && beacon.generation == costs_.last().generation) {
-      costs_.replace_last(point);
-    } else {
-      costs_.add(point);
-    }
-  }
+  if (!obeys(beacon.mode)) note_cost(beacon, mission);
   beacon_ = beacon;
   return true;
+}
+
+/// Of a rendezvous what the search found: paths that are fitted to each other once it is over keep their generation,
+/// and are charged for margins that are not the flight's. By cells each step is a generation.
+void AgentWatch::note_cost(const Beacon& beacon, const Mission* mission) {
+  if (beacon.cost <= 0.0) return;
+  const bool by_search = mission != nullptr && mission->kind == MissionKind::Rendezvous;
+  const bool searches = beacon.mode == AgentMode::Planning || beacon.mode == AgentMode::Replanning;
+  const CostPoint point{beacon.generation, beacon.cost};
+  if (!costs_.empty() && beacon.generation < costs_.last().generation) costs_.clear();  // another search
+  if (costs_.empty() || beacon.generation != costs_.last().generation) {
+    if (searches || !by_search) costs_.add(point);
+  } else if (!by_search) {
+    costs_.replace_last(point);
+  }
+}
+
+void AgentWatch::note_separation(double distance_m, std::uint32_t round) {
+  min_separation_m_ = std::min(distance_m, min_separation_m_.value_or(distance_m));
+  if (round > nearest_.round) before_ = std::exchange(nearest_, Nearest{round, 0, distance_m});
+  if (round != nearest_.round) return;
+  ++nearest_.peers;
+  nearest_.distance_m = std::min(nearest_.distance_m, distance_m);
+}
+
+/// Of the newest round in which as many peers were heard as in the one before.
+std::optional<double> AgentWatch::separation_m() const {
+  const Nearest& whole = nearest_.peers < before_.peers ? before_ : nearest_;
+  const bool over = beacon_ && beacon_->round > nearest_.round + 1;  // nobody else flies any more
+  return whole.peers == 0 || over ? std::nullopt : std::optional(whole.distance_m);
 }
 
 void AgentWatch::count_late(const Beacon& beacon, std::int64_t stamp_ns, const StepClock& clock) {
@@ -97,10 +126,6 @@ void AgentWatch::take(const ObstacleMapSample& sample, const Arrival& arrival) {
   intent_ = sample.intent;
 }
 
-void AgentWatch::note_separation(double distance_m) {
-  min_separation_m_ = std::min(distance_m, min_separation_m_.value_or(distance_m));
-}
-
 std::optional<Vec3> AgentWatch::flying_at() const {
   if (!beacon_ || !says_where(*beacon_)) return std::nullopt;
   return beacon_->pose.position_m;
@@ -120,8 +145,11 @@ AgentView AgentWatch::view(const Mission* mission, double now_s) {
     view.round = beacon_->round;
     view.speed_mps = speed_mps_.value_or(beacon_->commanded_velocity_mps.norm());
     view.planned_length_m = beacon_->planned_length_m;
-    view.cost = beacon_->cost;
     view.generation = beacon_->generation;
+  }
+  if (!costs_.empty()) {
+    view.cost = costs_.last().cost;
+    view.generation = costs_.last().generation;
   }
   view.min_separation_m = min_separation_m_;
   view.rate = rate_.at(now_s);
@@ -143,14 +171,16 @@ void AgentWatch::set_way(AgentView& view, const Mission* mission) {
     line_m_ = planned_line(*mission, id_, plan_->particle, replanned_from_);
     plan_changed_ = false;
   }
-  if (view.goal_m) view.to_go_m = (*view.goal_m - *view.position_m).norm();
+  const bool elsewhere = beacon_ && obeys(beacon_->mode) && beacon_->mode != AgentMode::Holding;
+  if (view.goal_m && !elsewhere) view.to_go_m = (*view.goal_m - *view.position_m).norm();
   if (line_m_.size() >= 2) {
     view.planned_m = line_m_;
+    if (elsewhere) return;
     view.to_go_m = left_m(line_m_, *view.position_m);
     view.to_go_by = ToGoBy::Plan;
   } else if (intent_ && mission->transit) {
     view.planned_m = intended_line(*mission, *intent_, *view.position_m);
-    if (intent_->to_go_m >= 0.0) {
+    if (intent_->to_go_m >= 0.0 && !elsewhere) {
       view.to_go_m = intent_->to_go_m;
       view.to_go_by = ToGoBy::Plan;
     }

@@ -31,8 +31,10 @@ class AgentWatch {
   bool take(const Beacon& beacon, const Arrival& arrival, const StepClock& clock, const Mission* mission);
   void take(const Representative& representative, const Arrival& arrival);
   void take(const ObstacleMapSample& sample, const Arrival& arrival);
-  /// The distance to another vehicle at one moment of the flight.
-  void note_separation(double distance_m);
+  /// The distance to another vehicle in a round of the flight.
+  void note_separation(double distance_m, std::uint32_t round);
+  /// To the nearest of all in one round; nothing before it.
+  [[nodiscard]] std::optional<double> separation_m() const;
 
   [[nodiscard]] AgentId id() const { return id_; }
   [[nodiscard]] const std::optional<Beacon>& beacon() const { return beacon_; }
@@ -42,8 +44,14 @@ class AgentWatch {
   [[nodiscard]] AgentView view(const Mission* mission, double now_s);
 
  private:
+  struct Nearest {
+    std::uint32_t round = 0;
+    std::size_t peers = 0;  ///< heard in it
+    double distance_m = 0.0;
+  };
   void arrived(const Arrival& arrival);
   void count_late(const Beacon& beacon, std::int64_t stamp_ns, const StepClock& clock);
+  void note_cost(const Beacon& beacon, const Mission* mission);
   void note_motion(const Beacon& beacon, const Mission* mission);
   void set_way(AgentView& view, const Mission* mission);
 
@@ -56,6 +64,8 @@ class AgentWatch {
   std::vector<Vec3> line_m_;  ///< of plan_
   std::optional<double> speed_mps_;
   std::optional<double> min_separation_m_;
+  Nearest nearest_;
+  Nearest before_;  ///< of the round before
   std::optional<double> last_s_;
   std::optional<std::int64_t> least_delay_ns_;
   std::uint32_t late_ = 0;

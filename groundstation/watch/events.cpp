@@ -67,6 +67,11 @@ std::vector<Event> changes(const Tick* before, const Tick& now) {
                                 skein::name_of(refusal.reason)));
     }
   }
+  for (const OrderAnswer& answer : now.answers) {  // of orders below; an injection is in no tick but as its answer
+    const bool is_new = answer.result == OrderResult::Accepted && answer.round == now.round;
+    const bool of_order = std::ranges::find(now.orders, answer.id, &Order::id) != now.orders.end();
+    if (is_new && !of_order) events.push_back(event_at(now, kWorldId, EventKind::Command, "injection", ""));
+  }
   for (const Order& order : now.orders) {  // a tick of a round says them once
     const bool is_goto = order.kind == OrderKind::Goto;
     events.push_back(
@@ -92,7 +97,9 @@ std::vector<Event> changes(const Beacon* before, const Beacon& now, double time_
   const bool reason_changed =
       before != nullptr && before->safety_reason != now.safety_reason && now.safety_mode != SafetyMode::Autonomous;
   if (mode_before != now.safety_mode || reason_changed) {
-    add(EventKind::Safety, skein::name_of(now.safety_mode), std::string(skein::name_of(now.safety_reason)));
+    const bool reasoned = now.safety_reason != SafetyReason::None;
+    add(EventKind::Safety, skein::name_of(now.safety_mode),
+        reasoned ? std::string(skein::name_of(now.safety_reason)) : "");
   }
   return events;
 }

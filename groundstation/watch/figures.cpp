@@ -38,7 +38,7 @@ Json agent_json(const AgentView& agent) {
                {"separation_m", or_null(agent.separation_m)},
                {"min_separation_m", or_null(agent.min_separation_m)},
                {"planned_length_m", agent.planned_length_m},
-               {"cost", agent.cost},
+               {"cost", or_null(agent.cost)},
                {"generation", agent.generation},
                {"map_tiles", agent.map_tiles},
                {"bytes_per_s", agent.rate.bytes_per_s},
@@ -71,10 +71,10 @@ std::string agent_line(const AgentView& agent) {
   const std::string safety = agent.safety_mode == SafetyMode::Autonomous
                                  ? ""
                                  : fmt::format("  {}: {}", name_of(agent.safety_mode), name_of(agent.safety_reason));
-  return fmt::format("{:>4}{} {:<11} {:>7} {:>7.2f} {:>10} {:>9} {:>9} {:>11.4f} {:>5} {:>6} {:>8.0f} {:>6} {:>5}{}\n",
+  return fmt::format("{:>4}{} {:<11} {:>7} {:>7.2f} {:>10} {:>9} {:>9} {:>11} {:>5} {:>6} {:>8.0f} {:>6} {:>5}{}\n",
                      agent.id, agent.live ? " " : "!", name_of(agent.mode), agent.step, agent.speed_mps,
                      fmt::format("{}{}", about, number(agent.to_go_m, 1)), number(agent.separation_m, 1),
-                     number(agent.min_separation_m, 1), agent.cost, agent.generation, agent.map_tiles,
+                     number(agent.min_separation_m, 1), number(agent.cost, 4), agent.generation, agent.map_tiles,
                      agent.rate.bytes_per_s, number(agent.age_s, 2), agent.late_steps, safety);
 }
 
@@ -100,7 +100,7 @@ Json status_json(const SwarmView& view, const std::string& swarm) {
             {"time_s", heard(view.time_s)},
             {"state_hash", heard(fmt::format("{:016x}", view.world_hash))},
             {"live", view.live},
-            {"times_real_time", view.times_real_time},
+            {"times_real_time", or_null(view.times_real_time)},
             {"tick_age_s", or_null(view.tick_age_s)},
             {"refused_samples", view.refused_samples}};
   json["outcome"] = nullptr;
@@ -116,10 +116,10 @@ Json status_json(const SwarmView& view, const std::string& swarm) {
 }
 
 std::string status_text(const SwarmView& view, const std::string& swarm, std::size_t events) {
-  std::string text = fmt::format("swarm {}, {} {}: {}, step {}, {:.1f} s, {} live, {:.1f} times real time\n", swarm,
+  std::string text = fmt::format("swarm {}, {} {}: {}, step {}, {:.1f} s, {} live, {} times real time\n", swarm,
                                  view.mission ? view.mission->name : "no mission yet",
                                  view.mission ? fmt::format("(seed {})", view.mission->seed) : "", name_of(view.phase),
-                                 view.step, view.time_s, view.live, view.times_real_time);
+                                 view.step, view.time_s, view.live, number(view.times_real_time, 1));
   text +=
       fmt::format("{:>4}  {:<11} {:>7} {:>7} {:>10} {:>9} {:>9} {:>11} {:>5} {:>6} {:>8} {:>6} {:>5}\n", "id", "mode",
                   "step", "m/s", "to go (m)", "sep (m)", "least (m)", "cost", "gen", "tiles", "bytes/s", "age", "late");

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "idl/process/dds_config.hpp"
 #include "idl/process/poll.hpp"
 
@@ -16,7 +18,8 @@ constexpr int kLost = 4;
 
 /// Before DDS starts its threads, which inherit it; an observer that may not is one with priority.
 const CommonFlags& stepping_back(const CommonFlags& flags) {
-  [[maybe_unused]] const int refused = setpriority(PRIO_PROCESS, 0, kNice);
+  const int now = getpriority(PRIO_PROCESS, 0);
+  [[maybe_unused]] const int refused = setpriority(PRIO_PROCESS, 0, std::max(now, kNice));
   return flags;
 }
 
@@ -25,16 +28,17 @@ const CommonFlags& stepping_back(const CommonFlags& flags) {
 Observer::Observer(const CommonFlags& flags)
     : flags_(stepping_back(flags)),
       port_(dds_config(flags_, kWorldId, random_id()), bus::Observed::Shared),
-      heard_s_(steady_now_s()) {}
+      silence_(steady_now_s()) {}
 
 void Observer::take() {
   arrived_.clear();
   const double now_s = steady_now_s();
+  silence_.look(now_s);
   (void)network_.follow(
       silence_s() > kInNeed_s, [this] { port_.renew(); }, now_s);  // what is shown goes on, or does not
   port_.take(arrived_);
   for (const bus::ObserverInbound& sample : arrived_) {
-    if (std::holds_alternative<wire::Tick>(sample)) heard_s_ = now_s;
+    if (std::holds_alternative<wire::Tick>(sample)) silence_.heard();
     watch_.take(sample, now_s);
   }
   if (!first_s_ && watch_.heard_tick()) first_s_ = now_s;
@@ -45,7 +49,7 @@ SwarmView Observer::view() {
 }
 
 double Observer::silence_s() const {
-  return steady_now_s() - heard_s_;
+  return silence_.silent_s();
 }
 
 std::optional<double> Observer::observed_s() const {
@@ -61,6 +65,10 @@ std::optional<Ending> Observer::ended() const {
                                         flags_.startup_timeout_s)};
   }
   if (silence_s() > kSilence_s) {
+    if (const double stood_still_s = silence_.stood_still_s(); stood_still_s > 0.0) {
+      return Ending{kLost, fmt::format("the world of swarm {} is not heard since this process stood still for {:.1f} s",
+                                       flags_.swarm, stood_still_s)};
+    }
     return Ending{kLost, fmt::format("the world of swarm {} has been silent for {} s", flags_.swarm, kSilence_s)};
   }
   return std::nullopt;

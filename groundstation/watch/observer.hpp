@@ -11,6 +11,7 @@
 #include "groundstation/watch/swarm_watch.hpp"
 #include "idl/process/common_flags.hpp"
 #include "idl/process/network_watch.hpp"
+#include "idl/process/silence.hpp"
 
 namespace skein::watch {
 
@@ -33,7 +34,7 @@ class Observer {
   /// Whether the run has ended, or there is none: no tick within the start-up timeout, or for 30 s after one; or none
   /// that can be read.
   [[nodiscard]] std::optional<Ending> ended() const;
-  /// Since the last tick, or the start (s).
+  /// Since the last tick, the start, or the end of a stall of this process (s); as of the last take().
   [[nodiscard]] double silence_s() const;
   /// Since the first tick; nothing before it.
   [[nodiscard]] std::optional<double> observed_s() const;
@@ -46,7 +47,7 @@ class Observer {
   bus::DdsObserverPort port_;
   SwarmWatch watch_;
   std::vector<bus::ObserverInbound> arrived_;
-  double heard_s_;
+  Silence silence_;
   std::optional<double> first_s_;
 };
 

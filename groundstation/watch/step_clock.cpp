@@ -40,15 +40,16 @@ std::optional<std::int64_t> StepClock::opened_ns(std::uint32_t round) const {
   return found->stamp_ns;
 }
 
-double StepClock::times_real_time() const {
-  if (last_.size() < 2) return 0.0;
+std::optional<double> StepClock::times_real_time() const {
+  if (last_.size() < 2) return std::nullopt;
   const Opened& newest = last_.back();
   // by hand: the ticks are few, and the clock of a world may have been set back
   const auto oldest = std::ranges::find_if(
       last_, [&](const Opened& opened) { return seconds(newest.stamp_ns - opened.stamp_ns) <= kLately_s; });
   const Opened& from = oldest + 1 == last_.end() ? last_[last_.size() - 2] : *oldest;
   const double wall_s = seconds(newest.stamp_ns - from.stamp_ns);
-  return wall_s > 0.0 ? (newest.time_s - from.time_s) / wall_s : 0.0;
+  if (wall_s <= 0.0) return std::nullopt;
+  return (newest.time_s - from.time_s) / wall_s;
 }
 
 }  // namespace skein::watch

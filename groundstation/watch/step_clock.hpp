@@ -21,7 +21,8 @@ class StepClock {
   [[nodiscard]] std::optional<double> period_s() const;
   /// When the world opened a round, if it is one of the last 64 heard.
   [[nodiscard]] std::optional<std::int64_t> opened_ns(std::uint32_t round) const;
-  [[nodiscard]] double times_real_time() const;
+  /// Nothing before there were two ticks, or if their stamps are equal.
+  [[nodiscard]] std::optional<double> times_real_time() const;
 
  private:
   struct Opened {

@@ -109,8 +109,8 @@ void SwarmWatch::judge_separations(const Beacon& beacon) {
     const std::optional<Vec3> other_at_m = other.flying_at();
     if (!other_at_m || is_landed(*other.beacon())) continue;
     const double distance_m = (*other_at_m - *at_m).norm();
-    own.note_separation(distance_m);
-    other.note_separation(distance_m);
+    own.note_separation(distance_m, beacon.round);
+    other.note_separation(distance_m, beacon.round);
     note_nearness(beacon, id, distance_m);
   }
 }

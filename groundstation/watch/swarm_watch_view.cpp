@@ -69,12 +69,7 @@ void SwarmWatch::add_separations(SwarmView& view) const {
     return agent.live && beacon && agents_.at(agent.id).flying_at() && !is_landed(*beacon);
   };
   for (AgentView& agent : view.agents) {
-    if (!flies(agent)) continue;
-    for (const AgentView& other : view.agents) {
-      if (other.id == agent.id || !flies(other)) continue;
-      const double distance_m = (*other.position_m - *agent.position_m).norm();
-      agent.separation_m = std::min(distance_m, agent.separation_m.value_or(distance_m));
-    }
+    if (flies(agent)) agent.separation_m = agents_.at(agent.id).separation_m();
   }
 }
 

@@ -74,10 +74,10 @@ struct AgentView {
   std::optional<double> separation_m;      ///< now, to the nearest other vehicle in flight
   std::optional<double> min_separation_m;  ///< least seen in flight
   double planned_length_m = 0.0;
-  double cost = 0.0;
-  std::uint32_t generation = 0;
-  std::size_t map_tiles = 0;  ///< that it contributed to the swarm's map, as far as seen
-  Rate rate;                  ///< of its beacons, representatives and obstacle maps
+  std::optional<double> cost;    ///< of the best particle of `generation`; by cells the way to go
+  std::uint32_t generation = 0;  ///< of the search; by cells the step
+  std::size_t map_tiles = 0;     ///< that it contributed to the swarm's map, as far as seen
+  Rate rate;                     ///< of its beacons, representatives and obstacle maps
   std::optional<double> age_s;
   std::uint32_t late_steps = 0;  ///< answered more than a usual period later than its best (agent_watch.hpp)
   std::vector<Vec3> planned_m;
@@ -113,7 +113,7 @@ struct SwarmView {
   std::uint64_t world_hash = 0;
   std::size_t live = 0;
   std::optional<double> tick_age_s;
-  double times_real_time = 0.0;  ///< simulated by the world's wall time, lately; 0: time stands still
+  std::optional<double> times_real_time;  ///< simulated by the world's wall time, by its stamps, lately
   std::optional<Outcome> outcome;
   std::uint64_t refused_samples = 0;  ///< that were no valid sample
   std::vector<AgentView> agents;      ///< by ascending id

@@ -50,7 +50,7 @@ TileCells words_of(const std::array<std::uint32_t, 4>& halves) {
 void check_intent(Checker& check, const wire::NextMove& move, const std::optional<CellGrid>& grid) {
   check.position(move.to_m(), "obstacle_map.intent.to_m");
   check.within(move.to_go_m(), -limits::kLength_m, limits::kLength_m, "obstacle_map.intent.to_go_m");
-  check.enumerator(move.status(), NavStatus::Flying, NavStatus::Deadlock, "obstacle_map.intent.status");
+  check.enumerator(move.status(), NavStatus::Flying, NavStatus::Held, "obstacle_map.intent.status");
   if (move.asks() != 0) check.agent(move.asks(), "obstacle_map.intent.asks");
   if (move.on_behalf_of() != 0) check.agent(move.on_behalf_of(), "obstacle_map.intent.on_behalf_of");
   const std::size_t cells = grid ? grid->size() : limits::kCells;

@@ -10,7 +10,9 @@
 #include <iostream>
 #include <random>
 
+#include "idl/process/number_within.hpp"
 #include "planner/core/isa/isa.hpp"
+#include "planner/core/text/utf8.hpp"
 
 namespace skein {
 namespace {
@@ -42,7 +44,7 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
       ->capture_default_str();
   app.add_option("--startup-timeout", flags.startup_timeout_s, "seconds until all agents must be matched")
       ->envname("SKEIN_STARTUP_TIMEOUT")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_within(0.1, 3600.0))
       ->capture_default_str();
 }
 
@@ -55,6 +57,13 @@ std::vector<std::string> arguments_of(const CommonFlags& flags) {
 }
 
 std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv) {
+  const auto complain = [&](const std::string& what) {
+    std::cerr << app.get_name() << ": " << one_line(what) << " (see --help)\n";
+    return 2;
+  };
+  for (int i = 1; i < argc; ++i) {
+    if (!is_utf8(argv[i])) return complain(fmt::format("argument {} is not UTF-8: {}", i, argv[i]));
+  }
   try {
     app.parse(argc, argv);
     if (const auto fault = isa_fault(std::getenv(kIsaVariable))) {
@@ -70,11 +79,9 @@ std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv) {
     // a verb that there is not is no verb at all: what was given instead says more
     const std::vector<std::string> unknown = app.remaining();
     const std::string what = unknown.empty() ? error.what() : fmt::format("'{}' is not known", unknown.front());
-    std::cerr << app.get_name() << ": " << what << " (see --help)\n";
-    return 2;
+    return complain(what);
   } catch (const CLI::ParseError& error) {
-    std::cerr << app.get_name() << ": " << error.what() << " (see --help)\n";
-    return 2;
+    return complain(error.what());
   }
 }
 

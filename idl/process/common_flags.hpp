@@ -24,8 +24,8 @@ void add_common_flags(CLI::App& app, CommonFlags& flags);
 /// The same flags as arguments for a child process.
 [[nodiscard]] std::vector<std::string> arguments_of(const CommonFlags& flags);
 
-/// Parses, and checks SKEIN_ISA; on `--help` or a fault it prints (one line for a fault) and gives the exit code: 0
-/// or 2.
+/// Parses, and checks SKEIN_ISA and that all arguments are UTF-8, since reports and recordings hold nothing else; on
+/// `--help` or a fault it prints (one line for a fault, at most about 400 bytes) and gives the exit code: 0 or 2.
 [[nodiscard]] std::optional<int> parse_or_exit_code(CLI::App& app, int argc, char** argv);
 
 /// Opens /dev/null for each of the standard streams that is closed, so that no file or socket takes its place. First

@@ -1,7 +1,9 @@
 #include "planner/gridnav/navigator.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace skein::gridnav {
 namespace {
@@ -32,10 +34,12 @@ Task task_of(const Mission& mission, AgentId self) {
 }  // namespace
 
 Navigator::Navigator(const Mission& mission, AgentId self)
-    : task_(task_of(mission, self)), body_{self, task_.radius_m, task_.step_m}, map_(task_.grid) {
+    : task_(task_of(mission, self)),
+      body_{self, task_.radius_m, task_.step_m},
+      map_(task_.grid),
+      guide_(task_, task_.grid.cell_of(vehicle_of(mission, self).start.position_m)) {
   for (const VehicleSpec& vehicle : mission.vehicles)
     reaches_m_[vehicle.id] = vehicle.speed_mps * task_.options.decision_s;
-  steering_ = make_steering(task_, task_.grid.cell_of(vehicle_of(mission, self).start.position_m));
 }
 
 void Navigator::learn(std::span<const CellChange> changed) {
@@ -44,7 +48,33 @@ void Navigator::learn(std::span<const CellChange> changed) {
     map_.set(change.cell, change.state);
     map_hash_ = StateHash(map_hash_).add(change.cell).add(change.state).value();
   }
-  if (steering_->learn(map_, changed)) best_m_ = -1.0;
+  const bool on_errand = errand_ && errand_->learn(map_, changed);
+  if (guide_.learn(map_, changed) || on_errand) best_m_ = -1.0;
+}
+
+void Navigator::begin(std::optional<Errand> errand) {
+  errand_ = std::move(errand);
+  status_ = NavStatus::Flying;
+  best_m_ = -1.0;
+  waited_ = rotations_ = 0;
+}
+
+void Navigator::hold() {
+  begin(Errand());
+}
+
+void Navigator::go_to(const Vec3& point_m, double speed_mps) {
+  Task task = task_;
+  task.step_m = std::min(task.step_m, speed_mps * task.options.decision_s);
+  begin(Errand(task, point_m));
+}
+
+void Navigator::resume() {
+  begin(std::nullopt);
+}
+
+std::optional<ErrandState> Navigator::errand() const {
+  return errand_ ? std::optional(errand_->state()) : std::nullopt;
 }
 
 bool Navigator::fly(const NavInput& input) const {
@@ -84,6 +114,7 @@ std::vector<Other> Navigator::expect(const NavInput& input) {
       if (will_fly(input, neighbour)) other.next_m = neighbour.intent->to_m;
     }
     other.way_m = {other.now_m, other.next_m};
+    note_held(neighbour);
     const auto last = heard_.find(neighbour.id);
     if (last != heard_.end() && input.decision - last->second.decision <= kRecent) {
       const Intent& intent = last->second.intent;
@@ -98,8 +129,41 @@ std::vector<Other> Navigator::expect(const NavInput& input) {
   return others;
 }
 
+/// Held is who said so last, and has not moved since.
+void Navigator::note_held(const Neighbour& neighbour) {
+  const auto last = heard_.find(neighbour.id);
+  const bool held = last != heard_.end() && last->second.intent.status == NavStatus::Held &&
+                    (last->second.intent.from_m - neighbour.position_m).norm() <= kAtRest_m;
+  held_.erase(neighbour.id);
+  if (held) held_[neighbour.id] = {neighbour.position_m, body_.radius_m + neighbour.radius_m + kMargin_m};
+}
+
+/// But those in which its own body is: there it must get past in any case.
+std::vector<CellIndex> Navigator::held_cells(const Vec3& own_m) const {
+  const CellGrid& grid = task_.grid;
+  std::set<CellIndex> cells;
+  for (const auto& [id, standing] : held_) {
+    const Vec3 reach_m = Vec3::Constant(standing.apart_m);
+    const Cell low = grid.cell_of(standing.at_m - reach_m);
+    const Cell high = grid.cell_of(standing.at_m + reach_m);
+    for (std::int32_t k = low.k; k <= high.k; ++k)
+      for (std::int32_t j = low.j; j <= high.j; ++j)
+        for (std::int32_t i = low.i; i <= high.i; ++i) {
+          const Cell cell{i, j, k};
+          const bool in = cell == grid.cell_of(standing.at_m);
+          const bool near = (grid.centre_m(cell) - standing.at_m).norm() < standing.apart_m;
+          if (grid.contains(cell) && (in || near)) cells.insert(grid.index_of(cell));
+        }
+  }
+  std::erase_if(cells, [&](CellIndex cell) {
+    const Box box = grid.box_of(grid.cell_at(cell));
+    return (own_m - own_m.cwiseMax(box.min_m).cwiseMin(box.max_m)).norm() <= body_.radius_m;
+  });
+  return {cells.begin(), cells.end()};
+}
+
 void Navigator::judge_progress(double to_go_m, bool yielding, std::size_t neighbours) {
-  if (!steering_->complete()) return;
+  if (!steering().complete()) return;
   if (to_go_m < 0) {
     status_ = NavStatus::Unreachable;
     best_m_ = -1.0;
@@ -118,40 +182,61 @@ void Navigator::judge_progress(double to_go_m, bool yielding, std::size_t neighb
   }
 }
 
+/// What it says of the next motion, from where this one ends.
+Announcement Navigator::travel(NavDecision& decision, bool flies, const NavInput& input,
+                               std::span<const Other> others) {
+  const Situation at{map_, decision.target_m, flies ? Need::NotOccupied : Need::SeenFree, others};
+  const std::vector<CellIndex> held = held_cells(at.start_m);
+  Guide::Around around = errand_ ? errand_->plan(at, held) : guide_.plan(at, held);
+  if (around.changed) best_m_ = -1.0;
+  if (around.through) {
+    std::erase_if(held_, [&](const auto& entry) {
+      return std::ranges::find(input.neighbours, entry.first, &Neighbour::id) == input.neighbours.end();
+    });
+  }
+  to_go_m_ = around.plan.to_go_m;
+  decision.revisited = std::move(around.plan.revisited);
+  judge_progress(to_go_m_, false, others.size());
+  Traveller self{body_, decision.target_m, {}};
+  self.own.status = status_;
+  self.own.waited = rotations_;
+  self.own.to_go_m = to_go_m_;
+  self.own.on_behalf_of = body_.id;
+  const auto detours = [&] { return steering().detours(at); };
+  Announcement said = steering().complete() ? negotiate(map_, self, around.plan.options, detours, others)
+                                            : announce_plainly(self, around.plan.options, others);
+  const bool slow = flies && errand_ && errand_->step_m() < task_.step_m;
+  if ((said.yielding || around.through || slow) && waited_ > 0) --waited_;
+  return said;
+}
+
 NavDecision Navigator::decide(const NavInput& input) {
   learn(input.changed);
+  if (errand_ && status_ == NavStatus::Deadlock) errand_->give_up();
+  if (errand_) errand_->look_around(map_, input.position_m);
   NavDecision decision;
   decision.target_m = input.position_m;
-  const bool arrived = (input.position_m - task_.goal_m).norm() <= task_.goal_radius_m;
+  const bool stays = errand_ && errand_->stays();
+  const bool arrived = !errand_ && (input.position_m - task_.goal_m).norm() <= task_.goal_radius_m;
   if (arrived) status_ = NavStatus::Arrived;
-  const bool flies = !arrived && fly(input);
+  if (stays) status_ = NavStatus::Held;
+  const bool flies = !arrived && !stays && fly(input);
   if (flies) decision.target_m = next_.to_m;
   const std::vector<Other> others = expect(input);
   Announcement said;
   said.intent.status = status_;
   said.intent.on_behalf_of = body_.id;
   said.intent.to_m = decision.target_m;
-  if (!arrived) {
-    const Situation at{map_, decision.target_m, flies ? Need::NotOccupied : Need::SeenFree, others};
-    Plan plan = steering_->plan(at);
-    to_go_m_ = plan.to_go_m;
-    decision.revisited = std::move(plan.revisited);
-    judge_progress(to_go_m_, false, others.size());
-    Traveller self{body_, decision.target_m, {}};
-    self.own.status = status_;
-    self.own.waited = rotations_;
-    self.own.to_go_m = to_go_m_;
-    self.own.on_behalf_of = body_.id;
-    const auto detours = [&] { return steering_->detours(at); };
-    said = steering_->complete() ? negotiate(map_, self, plan.options, detours, others)
-                                 : announce_plainly(self, plan.options, others);
-    if (said.yielding && waited_ > 0) --waited_;
-  }
+  if (!arrived && !stays) said = travel(decision, flies, input, others);
   decision.status = status_;
   next_ = said.intent;
   next_.decision = input.decision + 1;
   next_.from_m = decision.target_m;
-  next_.next_cells = steering_->way_from(map_, next_.to_m);
+  if (stays) {
+    next_.next_cells.fill(task_.grid.index_of(task_.grid.cell_of(next_.to_m)));
+  } else {
+    next_.next_cells = steering().way_from(map_, next_.to_m);
+  }
   decision.next = next_;
   return decision;
 }
@@ -161,6 +246,8 @@ void Navigator::add_to(StateHash& hash) const {
   hash.add(next_.decision).add(next_.from_m).add(next_.to_m).add(next_.waited).add(next_.to_go_m).add(next_.status);
   hash.add(next_.asks).add(next_.on_behalf_of);
   for (const CellIndex cell : next_.next_cells) hash.add(cell);
+  for (const auto& [id, standing] : held_) hash.add(id).add(standing.at_m);
+  if (errand_) errand_->add_to(hash);
 }
 
 }  // namespace skein::gridnav

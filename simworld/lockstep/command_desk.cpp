@@ -37,6 +37,15 @@ bool CommandDesk::told(OrderKind kind) const {
   return std::ranges::any_of(waiting_, [kind](const Waiting& item) { return item.order && item.order->kind == kind; });
 }
 
+bool CommandDesk::ends(AgentId agent, double now_s) const {
+  return std::ranges::any_of(waiting_, [&](const Waiting& item) {
+    if (now_s > item.until_s) return false;
+    if (item.order) return item.order->kind == OrderKind::Abort && item.order->agent == kAllAgents;
+    const InjectionKind kind = item.injection->kind;
+    return item.injection->agent == agent && (kind == InjectionKind::Kill || kind == InjectionKind::Restart);
+  });
+}
+
 void CommandDesk::expire(double now_s) {
   std::erase_if(waiting_, [&](const Waiting& item) {
     if (now_s <= item.until_s) return false;

@@ -31,6 +31,8 @@ class CommandDesk {
   [[nodiscard]] bool empty() const { return waiting_.empty() && doing_.empty(); }
   /// Whether an order of a kind waits.
   [[nodiscard]] bool told(OrderKind kind) const;
+  /// Whether what waits, and has not expired, ends the agent's part in the run: an abort, or a kill or restart of it.
+  [[nodiscard]] bool ends(AgentId agent, double now_s) const;
   /// Answers those whose deadline has passed.
   void expire(double now_s);
   /// Takes out the injections that act on processes.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "planner/core/geometry/terrain.hpp"
 #include "planner/core/lockstep/names.hpp"
 #include "simworld/lockstep/answers.hpp"
 #include "simworld/lockstep/run.hpp"
@@ -17,19 +18,34 @@ Objection refused(std::string text) {
   return {OrderResult::Refused, std::move(text)};
 }
 
+bool by_cells(const Mission& mission) {
+  return mission.transit && mission.transit->planner.name != kStraight;
+}
+
+/// Whether a point lies in no cell of a transit.
+std::optional<Objection> beyond(const Vec3& point_m, const CellGrid& grid) {
+  const Vec3 low = grid.origin_m;
+  const Vec3 high = low + Vec3(grid.nx * grid.cell_m, grid.ny * grid.cell_m, grid.nz * grid.height_m);
+  if ((point_m.array() >= low.array()).all() && (point_m.array() < high.array()).all()) return std::nullopt;
+  return refused(fmt::format("the point is outside the area: x {} to {}, y {} to {}, z {} to {} m", low.x(), high.x(),
+                             low.y(), high.y(), low.z(), high.z()));
+}
+
 /// What the orders of a kind ask that no mission allows.
 std::optional<Objection> nonsense(const Order& order, const Mission& mission) {
   if (order.kind == OrderKind::Abort && order.agent != kAllAgents) return refused("abort is for the whole swarm");
   if (order.kind == OrderKind::Abort) return std::nullopt;
-  if (mission.transit && mission.transit->planner.name != kStraight) {
-    return refused("in a transit by maps right of way hangs on what all fly: it can only be aborted");
-  }
   if (order.kind != OrderKind::Goto) return std::nullopt;
   if (order.agent == kAllAgents) return refused("goto needs an agent: no two can be at one point");
   const double most_mps = vehicle_of(mission, order.agent).speed_mps;
   if (order.speed_mps > most_mps) {
     return refused(fmt::format("vehicle {} flies at most {} m/s", order.agent, most_mps));
   }
+  if (mission.terrain && height_above_m(*mission.terrain, order.to_m) < 0.0) {
+    return refused(
+        fmt::format("that point is {:.1f} m under the ground", -height_above_m(*mission.terrain, order.to_m)));
+  }
+  if (by_cells(mission)) return beyond(order.to_m, grid_of(*mission.transit));
   return std::nullopt;
 }
 
@@ -48,6 +64,10 @@ std::optional<Objection> Run::objection(const Order& order, std::span<const Loss
     }
     if (world_.vehicle(order.agent).landed) {
       return Objection{OrderResult::NotLive, fmt::format("vehicle {} has landed", order.agent)};
+    }
+    if (by_cells(mission_) && world_.vehicle(order.agent).status == VehicleStatus::Rejoined) {
+      return refused(
+          fmt::format("agent {} came back after a loss: in a transit by cells it flies no more", order.agent));
     }
   }
   if (auto found = nonsense(order, mission_)) return found;

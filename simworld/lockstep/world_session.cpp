@@ -16,6 +16,8 @@ constexpr double kGoodbye_s = 2.0;  ///< how long the final tick waits for its a
 constexpr double kPause_s = 0.1;
 constexpr double kAway_s = 1.0;       ///< between two polls: the world itself was stopped, not the agents
 constexpr double kPatience_s = 10.0;  ///< at least, for a process to end or to stop
+/// Who is silent for so long and is to be ended by command is not waited for until the deadline.
+constexpr double kDoomed_s = 2.0;
 
 }  // namespace
 
@@ -167,8 +169,12 @@ void WorldSession::poll_closing(double now_s) {
 }
 
 void WorldSession::drop_silent(double now_s) {
-  if (interventions_.holding() || now_s - barrier_.opened_s() - away_s_ < deadline_s_) return;
-  for (const AgentId agent : barrier_.waiting_for()) add_loss(agent, LossReason::Deadline);
+  if (interventions_.holding()) return;
+  const double waited_s = now_s - barrier_.opened_s() - away_s_;
+  for (const AgentId agent : barrier_.waiting_for()) {
+    const bool doomed = waited_s >= kDoomed_s && desk_.ends(agent, now_s);
+    if (waited_s >= deadline_s_ || doomed) add_loss(agent, LossReason::Deadline);
+  }
 }
 
 std::vector<AgentId> WorldSession::silent_for(double seconds, double now_s) const {

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "idl/process/number_within.hpp"
 #include "simworld/process/world_process.hpp"
 
 namespace skein {
@@ -59,7 +60,7 @@ void add_world_options(CLI::App& app, WorldArguments& arguments) {
   add_scenario_options(app, arguments);
   app.add_option("--out", arguments.out, "folder for report and logs; by default skein-runs/<time>-<seed>");
   app.add_option("--realtime", arguments.realtime, "pace to so many times real time; default: as fast as it goes")
-      ->check(CLI::Range(0.1, 1000.0));
+      ->check(number_within(0.1, 1000.0));
   app.add_flag("--wait-start", arguments.wait_start, "start when all are matched and skein start says so");
   app.add_flag("--fail-fast,!--keep-going", arguments.fail_fast, "end the run when an agent is lost; default: go on");
   app.add_option("--checkpoint", arguments.checkpoint,

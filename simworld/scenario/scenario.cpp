@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "planner/core/hash/state_hash.hpp"
+#include "planner/core/text/utf8.hpp"
 #include "simworld/scenario/checks.hpp"
 #include "simworld/scenario/overrides.hpp"
 #include "simworld/scenario/sections.hpp"
@@ -29,6 +30,18 @@ ScenarioFault fault_at(const std::string& path, const scenario::ReadFault& fault
   return {place.set_key.empty() ? fmt::format("{}:{}:{}", path, place.line, place.column)
                                 : fmt::format("{}{}", is_flag ? "" : "--set ", scenario::on_one_line(place.set_key)),
           fault.what()};
+}
+
+/// Reports and recordings quote the text: they hold UTF-8 alone.
+std::optional<ScenarioFault> fault_of_bytes(const std::string& text, const std::string& path) {
+  std::size_t line = 1;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t size = utf8_size(rest);
+    if (size == 0) return ScenarioFault{fmt::format("{}:{}:1", path, line), "not all is UTF-8; allowed: UTF-8 alone"};
+    if (rest.front() == '\n') ++line;
+    rest.remove_prefix(size);
+  }
+  return std::nullopt;
 }
 
 std::uint64_t hash_of(const std::string& text, std::span<const Override> overrides) {
@@ -60,6 +73,7 @@ ScenarioResult load_scenario(const std::string& path, std::span<const Override> 
 
 ScenarioResult parse_scenario(const std::string& text, const std::string& path, std::span<const Override> overrides,
                               std::optional<std::uint64_t> seed) {
+  if (auto fault = fault_of_bytes(text, path)) return *std::move(fault);
   Scenario scenario;
   scenario.path = path;
   scenario.text = text;

@@ -28,16 +28,14 @@ TruthGrid::TruthGrid(const CellGrid& grid, std::span<const Obstacle> obstacles) 
 }
 
 void TruthGrid::sum_up() {
-  const auto n = [](std::int32_t cells) { return static_cast<std::size_t>(cells + 1); };
-  sums_.resize(n(grid_.nx) * n(grid_.ny) * n(grid_.nz));
+  sums_.resize(place_of_sum(grid_.nx, grid_.ny, grid_.nz) + 1);
   for (std::int32_t k = 0; k < grid_.nz; ++k) {
     for (std::int32_t j = 0; j < grid_.ny; ++j) {
       std::uint32_t row = 0;
       for (std::int32_t i = 0; i < grid_.nx; ++i) {
         row += occupied_[grid_.index_of({i, j, k})];
         const std::uint32_t level = row + below(i + 1, j, k + 1) - below(i + 1, j, k);
-        sums_[static_cast<std::size_t>(((k + 1) * (grid_.ny + 1) + j + 1) * (grid_.nx + 1) + i + 1)] =
-            level + below(i + 1, j + 1, k);
+        sums_[place_of_sum(i + 1, j + 1, k + 1)] = level + below(i + 1, j + 1, k);
       }
     }
   }

@@ -38,7 +38,11 @@ class TruthGrid {
   void sum_up();
   /// How many of the cells below i, j and k in each index are occupied.
   [[nodiscard]] std::uint32_t below(std::int32_t i, std::int32_t j, std::int32_t k) const {
-    return sums_[static_cast<std::size_t>((k * (grid_.ny + 1) + j) * (grid_.nx + 1) + i)];
+    return sums_[place_of_sum(i, j, k)];
+  }
+  [[nodiscard]] std::size_t place_of_sum(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    const std::int32_t place = (k * (grid_.ny + 1) + j) * (grid_.nx + 1) + i;
+    return static_cast<std::size_t>(place);
   }
 
   CellGrid grid_;

@@ -1,8 +1,9 @@
 // usage: skein_cyclone_listener DOMAIN SWARM
 //   Joins a swarm's partitions as a program of another vendor would, by Cyclone DDS alone: nothing of Skein but its
 //   IDL, topic names and partitions (docs/wire.md). Reads best effort, but for the latched mission. Says `listening` on
-//   standard error when its readers are there, and when the run's last tick has come prints every sample that it heard,
-//   one JSON object a line. Exit code 0; 1 without a last tick within 60 s.
+//   standard error when its readers are there and `heard TOPIC` with the first sample of each, and when the run's last
+//   tick has come prints every sample that it heard, one JSON object a line. Exit code 0; 1 without a last tick within
+//   60 s.
 #include <dds/dds.h>
 
 #include <array>
@@ -110,6 +111,7 @@ class Listener {
     require(count, "take");
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       if (!infos[i].valid_data) continue;
+      if (!std::exchange(said_[index], true)) std::cerr << "heard " << kTopics[index].name << std::endl;
       heard_.push_back({{"topic", kTopics[index].name}, {"sample", kTopics[index].fields(samples[i])}});
       if (kTopics[index].type != &skein_v7_Tick_desc) continue;
       finished_ = finished_ || static_cast<const skein_v7_Tick*>(samples[i])->phase == kFinished;
@@ -121,6 +123,7 @@ class Listener {
   dds_entity_t waiting_;
   std::array<dds_entity_t, kTopics.size()> readers_{};
   std::vector<Json> heard_;
+  std::array<bool, kTopics.size()> said_{};
   bool finished_ = false;
 };
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <map>
 #include <set>
@@ -141,6 +143,55 @@ TEST(Cyclone, DecodesEveryTopicOfATransit) {
   const auto& maps = heard.by_cyclone.at("skein/obstacle_map");
   EXPECT_EQ(values_of(maps, "agent"), (std::set<json>{1, 2}));
   EXPECT_TRUE(std::ranges::any_of(maps, [](const json& map) { return !map.at("tiles").empty(); }));
+}
+
+std::vector<std::string> steering(const std::string& swarm, const std::vector<std::string>& words) {
+  std::vector<std::string> all{binary("skein")};
+  all.insert(all.end(), words.begin(), words.end());
+  all.insert(all.end(), {"--domain", kDomain, "--swarm", swarm, "--deadline", "60"});
+  return all;
+}
+
+pid_t agent_of(const std::string& swarm) {
+  const std::vector<pid_t> members = processes_with(swarm);
+  for (const pid_t agent : processes_with(binary("skein-agent"))) {
+    if (std::ranges::find(members, agent) != members.end()) return agent;
+  }
+  return -1;
+}
+
+TEST(Cyclone, DecodesWhatIsCommandedAndInjected) {
+  const ScratchFolder out;
+  const std::string swarm = "cyclone-steered";
+  const std::string file = out.path() + "/run.mcap";
+  Program listener({SKEIN_CYCLONE_LISTENER, kDomain, swarm});
+  ASSERT_TRUE(listener.read_until("listening", 30.0));
+  Program run({binary("skein"), "run", kData + "small.yaml", "--domain", kDomain, "--swarm", swarm, "--realtime", "10",
+               "--set", "lockstep.deadline_s=60", "--record", file, "--out", out.path() + "/a", "--json"});
+  ASSERT_TRUE(run.read_until("flight:", 60.0));
+  // A round that waits for an agent keeps both verbs waiting, and repeating: else each is over before Cyclone finds it.
+  const pid_t agent = agent_of(swarm);
+  ASSERT_GT(agent, 0);
+  ASSERT_EQ(kill(agent, SIGSTOP), 0);
+  Program hold(steering(swarm, {"hold", "--agent", "2"}));
+  Program inject(steering(swarm, {"inject", "obstacle", "sphere", "--at", "-5000.5", "-5000", "500", "--radius", "3",
+                                  "--velocity", "-1", "0", "0.25"}));
+  EXPECT_TRUE(listener.read_until("heard skein/command", 30.0));
+  EXPECT_TRUE(listener.read_until("heard skein/inject", 30.0));
+  ASSERT_EQ(kill(agent, SIGCONT), 0);
+  EXPECT_EQ(hold.wait(60.0).exit_code, 0);
+  EXPECT_EQ(inject.wait(60.0).exit_code, 0);
+  EXPECT_EQ(run_program(steering(swarm, {"abort"}), 60.0).exit_code, 0);
+  const Ended ended = run.wait(60.0);
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  const Ended said = listener.wait(90.0);
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  const Ended dump = run_program({binary("skein"), "dump", file}, 60.0);
+  const Heard heard{json::parse(ended.out, nullptr, false), by_topic(said.out), by_topic(dump.out)};
+  expect_as_recorded(heard, {"skein/command", "skein/inject"});
+  EXPECT_EQ(heard.by_cyclone.at("skein/command").front().at("agent"), 2);
+  const json& obstacle = heard.by_cyclone.at("skein/inject").front();
+  EXPECT_EQ(obstacle.at("radius_m"), 3.0) << obstacle;
 }
 
 }  // namespace

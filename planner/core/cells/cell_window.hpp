@@ -45,7 +45,8 @@ struct CellWindow {
   [[nodiscard]] CellState at(const Cell& c) const {
     const Cell d{c.i - low.i, c.j - low.j, c.k - low.k};
     if (d.i < 0 || d.j < 0 || d.k < 0 || d.i >= ni || d.j >= nj || d.k >= nk) return CellState::Unknown;
-    return at(static_cast<std::size_t>((d.k * nj + d.j) * ni + d.i));
+    const std::int32_t place = (d.k * nj + d.j) * ni + d.i;
+    return at(static_cast<std::size_t>(place));
   }
   [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] Cell cell(std::size_t n) const {

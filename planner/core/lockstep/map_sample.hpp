@@ -18,6 +18,7 @@ enum class NavStatus : std::uint8_t {
   Arrived = 2,      ///< within goal_radius_m of its goal: it lands, and is no obstacle
   Unreachable = 3,  ///< no way to its goal through cells not known to be blocked; hovers and gives way
   Deadlock = 4,     ///< no way past the others, in bounded time
+  Held = 5,         ///< by command: stays where it is, and gives way to nobody
 };
 
 /// What a UAV says in one decision of what it will do in the next: right of way follows from these alone.

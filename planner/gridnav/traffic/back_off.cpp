@@ -64,6 +64,7 @@ BackOff search(const KnownMap& map, const Vec3& from_m, std::span<const Other> o
   parent[order.front()] = order.front();
   CellIndex farthest = order.front();
   double farthest_m = spared_m(from_m, others, way_first);
+  const auto gives_way = [&](std::size_t n) { return !way_first[n] && !is_held(others[n]); };
   const auto trace = [&](CellIndex cell) {
     BackOff found;
     for (; cell != order.front(); cell = parent.at(cell)) found.cells.push_back(cell);
@@ -85,7 +86,7 @@ BackOff search(const KnownMap& map, const Vec3& from_m, std::span<const Other> o
       if (!open_move(map, c, move) || parent.contains(grid.index_of(next))) continue;
       const Vec3 centre = grid.centre_m(next);
       const int by = taken_by(here, centre, others);
-      if (by >= 0 && (seek != Seek::OffWaysPushing || way_first[static_cast<std::size_t>(by)])) continue;
+      if (by >= 0 && (seek != Seek::OffWaysPushing || !gives_way(static_cast<std::size_t>(by)))) continue;
       const CellIndex index = grid.index_of(next);
       parent[index] = order[head];
       order.push_back(index);

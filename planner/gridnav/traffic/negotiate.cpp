@@ -34,7 +34,7 @@ class Negotiation {
     }
     const Other* first = asker_ != nullptr ? asker_ : found.against;
     if (first != nullptr) return back_off(*first);
-    if (found.standing == nullptr) return yield();
+    if (found.standing == nullptr || is_held(*found.standing)) return yield();
     if (is_first(*found.standing)) return yield();
     result_.intent.asks = found.standing->id;
     return result_;
@@ -86,7 +86,7 @@ class Negotiation {
         if (conflict == Conflict::None) continue;
         free = false;
         if (conflict != Conflict::Moving) found.only_moving = false;
-        if (conflict == Conflict::Standing) found.standing = &other;
+        if (conflict == Conflict::Standing && (found.standing == nullptr || !is_held(other))) found.standing = &other;
         if (first && (conflict == Conflict::Against || (conflict == Conflict::Standing && ahead_of(other))))
           found.against = &other;
       }

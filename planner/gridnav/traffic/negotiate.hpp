@@ -4,7 +4,7 @@
 //   2. if only motions of others with right of way are in the way: wait;
 //   3. a detour: a cell nearer to the goal that conflicts with nobody;
 //   4. if somebody with right of way asks, or comes against: back off, on its behalf (back_off.hpp);
-//   5. wait, and ask whoever stands in the way without right of way.
+//   5. wait, and ask whoever stands in the way without right of way, unless a command holds it there.
 // A UAV that is asked counts as the asker does in the order, so it may itself ask the next one: the chain ends at a
 // free cell, or nobody moves and patience runs out.
 // Source: Okumura et al., AIJ 2022 (PIBT). Departs from source: by messages; see right_of_way.hpp.

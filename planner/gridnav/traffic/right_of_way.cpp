@@ -16,6 +16,8 @@ int group_of(NavStatus status) {
       return 1;
     case NavStatus::Unreachable:
       return 2;
+    case NavStatus::Held:
+      return 3;
     default:
       return 0;
   }

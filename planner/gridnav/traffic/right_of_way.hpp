@@ -9,8 +9,8 @@
 // the other, the order of sent keys is the same for both and the lower has checked (b). If j did not hear i, then (c)
 // kept j's motion off everything that i can reach, i's motion included. All are inequalities of the least distance of
 // straight motions at constant speed; nothing is sampled.
-// The order is total: Flying before Deadlock before Unreachable, fewer rotations, less to go, lower id. A UAV that was
-// asked to move aside sends the key of the one on whose behalf it moves (priority inheritance).
+// The order is total: Flying before Deadlock before Unreachable before Held, fewer rotations, less to go, lower id. Who
+// was asked to move aside sends the key of the one on whose behalf it moves (priority inheritance).
 // Source: Okumura et al., 'Priority inheritance with backtracking', AIJ 2022 (PIBT), for the order and inheritance.
 // Departs from source: by messages, one decision ahead; no following into a cell before it is empty.
 // Complexity: O(neighbours).
@@ -74,6 +74,11 @@ struct Other {
   std::optional<Intent> intent;  ///< the last one heard, if not too old
   bool asks_own = false;         ///< whether it asks this UAV to move aside
 };
+
+/// Whether it said that it stays by command: asking it to move aside is of no use.
+[[nodiscard]] inline bool is_held(const Other& other) {
+  return other.intent && other.intent->status == NavStatus::Held;
+}
 
 /// How a motion of the next decision stands to one other.
 enum class Conflict : std::uint8_t {

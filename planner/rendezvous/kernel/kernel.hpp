@@ -64,6 +64,8 @@ struct SpatialEnds {
   };
 };
 
+// NOLINTBEGIN(readability-identifier-naming): rows are named as those of the enumerations above
+
 /// Rows that the paths of both spaces have: coefficients by powers of q of arc length (from q^1) and speed (from q^0),
 /// then the start and, axis by axis, the coefficients of position (from q^1).
 template <std::size_t Dimensions>
@@ -91,6 +93,8 @@ struct SpatialPaths : PathRows<3> {
   static constexpr std::size_t Twist = BendSquared + 5;
   static constexpr std::size_t Count = Twist + 7;
 };
+
+// NOLINTEND(readability-identifier-naming)
 
 /// Rows of a judgement: 1 if the constraint is violated, else 0; elastic energy (1/m). In the plane those that only
 /// space has are left as they are.

@@ -1,6 +1,7 @@
 // Only whole processes can prove it: a campaign of faults ends with a table, keeps every promise, and leaves nothing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -86,14 +87,35 @@ TEST(Chaos, WhatIsWrongIsNamedInOneLine) {
   EXPECT_EQ(chaos(out.path() + "/none.yaml", {}).exit_code, 2);
 }
 
-TEST(Chaos, ASignalEndsTheCampaignAndItsRun) {
+TEST(Chaos, ASignalEndsTheCampaignAndItsRunAndItGoesOnLater) {
   const ScratchFolder out;
-  Program program({binary("skein"), "chaos", scenario_path("rendezvous-ring"), "--runs", "1000", "--domain",
-                   std::to_string(kDomain), "--faults", faults_file(out, "pause\n"), "--out", out.path() + "/runs"});
+  const std::vector<std::string> words{"--faults", faults_file(out, "pause\n"), "--out", out.path() + "/runs",
+                                       "--resume", out.path() + "/journal",     "--runs"};
+  std::vector<std::string> many{binary("skein"), "chaos", scenario_path("rendezvous-ring"), "--domain",
+                                std::to_string(kDomain)};
+  many.insert(many.end(), words.begin(), words.end());
+  many.emplace_back("1000");
+  Program program(many);
   ASSERT_TRUE(program.read_until("2 of 1000", 60.0));
   program.signal_group(SIGTERM);
-  EXPECT_EQ(program.wait(30.0).exit_code, 143);
+  const Ended ended = program.wait(30.0);
+  EXPECT_EQ(ended.exit_code, 143);
   EXPECT_TRUE(gone_within(out.path() + "/runs", 5.0));
+
+  const bool third_made = ended.err.find("3 of 1000") != std::string::npos;  // before the signal came
+  std::vector<std::string> few = words;
+  few.insert(few.end(), {third_made ? "4" : "3", "--json"});
+  const Ended rest = chaos(scenario_path("rendezvous-ring"), few);
+  EXPECT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_EQ(std::ranges::count(rest.err, '\n'), 1) << "one run is made: " << rest.err;
+  const auto summary = nlohmann::json::parse(rest.out);
+  EXPECT_EQ(summary.at("runs"), third_made ? 4 : 3);
+  EXPECT_EQ(summary.at("per_run").at(1).at("seed"), summary.at("seed").get<unsigned>() + 1);
+  few.front() = "--limit";  // other faults: another campaign
+  few[1] = "60";
+  const Ended other = chaos(scenario_path("rendezvous-ring"), few);
+  EXPECT_EQ(other.exit_code, 2) << other.err;
+  EXPECT_NE(other.err.find("it is the journal of another skein chaos"), std::string::npos) << other.err;
 }
 
 }  // namespace

@@ -107,6 +107,14 @@ TEST(Monitor, FollowsTheWindowsSize) {
   EXPECT_TRUE(terminal.shows("left-clean-0", kLong_s)) << terminal.screen();
 }
 
+TEST(Monitor, RefusesATerminalOnWhichItCannotDraw) {
+  Ring ring("monitor-dumb", "1");
+  ASSERT_TRUE(ring.plans());
+  const Tmux dumb(80, 24, and_after("TERM=dumb " + monitor("monitor-dumb")));
+  EXPECT_TRUE(dumb.shows("left-clean-2", kLong_s)) << dumb.screen();
+  EXPECT_TRUE(dumb.shows("terminal of type 'dumb'", kLong_s)) << dumb.screen();
+}
+
 TEST(Monitor, NeedsNeitherColourNorBraille) {
   Ring ring("monitor-plain", "1");
   ASSERT_TRUE(ring.plans());

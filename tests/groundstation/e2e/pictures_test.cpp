@@ -71,7 +71,7 @@ TEST(Pictures, ARecordingBecomesFiguresInBothFormats) {
     EXPECT_THAT(text_of(item.at("file")), AllOf(HasSubstr("<svg"), HasSubstr("</svg>"))) << item;
   }
   const std::string png = recorded.out.path() + "/separation.png";
-  EXPECT_EQ(skein({"plot", recorded.file(), "--figure", "separation", "--format", "png", "-o", png}).exit_code, 0);
+  EXPECT_EQ(skein({"plot", recorded.file(), "--figure", "separation", "-o", png}).exit_code, 0);
   EXPECT_THAT(text_of(png), StartsWith("\x89PNG"));
 }
 

@@ -114,8 +114,73 @@ TEST(Record, AStarvedRecorderCountsExactlyWhatItLost) {
     const auto between = std::distance(sent.lower_bound(*kept.begin()), sent.upper_bound(*kept.rbegin()));
     lost += static_cast<std::uint64_t>(between) - kept.size();
   }
-  EXPECT_EQ(result["lost"], lost);
+  std::uint64_t counted = 0;
+  for (const auto& writer : result["writers"]) {
+    counted += writer["to"].get<std::uint64_t>() - writer["from"].get<std::uint64_t>() + 1;
+    counted -= writer["kept"].get<std::uint64_t>();
+  }
+  EXPECT_EQ(counted, lost);
+  EXPECT_GE(result["lost"], lost);  // and what ticks tell of the end
   EXPECT_EQ(verify({whole, "--rerun"}).exit_code, 0);
+}
+
+/// Of the beacons and ticks of a result of `skein record --json`: by channel, whether the end was heard.
+std::map<std::string, bool> ends_in(const nlohmann::json& result) {
+  std::map<std::string, bool> ends;
+  for (const auto& writer : result.at("writers")) {
+    const auto name = writer.at("writer").get<std::string>();
+    if (writer.at("end_heard").is_boolean()) ends[name] = writer.at("end_heard").get<bool>();
+  }
+  return ends;
+}
+
+TEST(Record, ARecorderThatStoodStillOwnsThatItDidNotHearTheEnd) {
+  const ScratchFolder out;
+  const std::string whole = out.path() + "/whole.mcap";
+  const std::string part = out.path() + "/part.mcap";
+  const std::string domain = std::to_string(kOtherDomain);
+  Program run({binary("skein"), "run", scenario_path("rendezvous-ring"), "--agents", "6", "--json", "--out", out.path(),
+               "--domain", domain, "--swarm", "stopped", "--record", whole, "--realtime", "60"});
+  Program recorder({binary("skein"), "record", "--swarm", "stopped", "--domain", domain, "-o", part, "--json",
+                    "--startup-timeout", "60"});
+  ASSERT_TRUE(run.read_until("flight: step 200,", 60.0));
+  ASSERT_EQ(kill(recorder.pid(), SIGSTOP), 0);
+  EXPECT_EQ(run.wait(60.0).exit_code, 0);
+  ASSERT_EQ(kill(recorder.pid(), SIGCONT), 0);
+  const Ended ended = recorder.wait(60.0);
+  const auto result = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(result.is_object()) << ended.out << ended.err;
+  // its last tick may have waited in the socket
+  EXPECT_TRUE(ended.exit_code == 0 || ended.exit_code == 3) << ended.err;
+  if (ended.exit_code == 3) {
+    EXPECT_THAT(result["reason"], HasSubstr("this process stood still for"));
+    EXPECT_FALSE(result["end_heard"].get<bool>());
+  }
+  EXPECT_TRUE(result["lost"] > 0 || !result["end_heard"].get<bool>());
+  const auto ends = ends_in(result);
+  const auto all = numbers_in(whole);
+  constexpr int kRepeats = 4;  // of the last tick, and of what answers it
+  for (const auto& [channel, kept] : numbers_in(part)) {
+    const bool is_tick = channel.starts_with("skein/tick");
+    if (!is_tick && !channel.starts_with("skein/beacon agent")) continue;
+    const auto after = std::distance(all.at(channel).upper_bound(*kept.rbegin()), all.at(channel).end());
+    const std::string writer =
+        is_tick ? "skein/tick of world" : "skein/beacon of " + channel.substr(13, channel.rfind(' ') - 13);
+    ASSERT_TRUE(ends.contains(writer)) << writer << ended.out;
+    EXPECT_FALSE(after > kRepeats && ends.at(writer)) << writer << ": " << after << " more were sent";
+  }
+}
+
+TEST(Record, WithoutASwarmAFileThatIsThereStays) {
+  const ScratchFolder out;
+  const std::string file = out.path() + "/old.mcap";
+  std::ofstream(file) << "an old recording";
+  const Ended ended = run_program({binary("skein"), "record", "--swarm", "nobody", "--domain", std::to_string(kDomain),
+                                   "-o", file, "--startup-timeout", "0.3"},
+                                  30.0);
+  EXPECT_EQ(ended.exit_code, 3) << ended.err;
+  std::ifstream read(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(read), {}), "an old recording");
 }
 
 TEST(Record, AKilledRecordingOpensUpToItsLastChunk) {

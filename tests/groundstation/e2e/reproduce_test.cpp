@@ -63,7 +63,7 @@ TEST(Reproduce, CtrlCPrintsWhatWasRunAndLeavesTheFile) {
   const std::string file = folder.path() + "/kept.md";
   std::ofstream(file) << "as it was";
   Program program({binary("skein"), "reproduce", "all", "-o", file});
-  ASSERT_TRUE(program.read_until("reproduce: rendezvous-2d: 4000 runs", 60.0));
+  ASSERT_TRUE(program.read_until(" of 4000 runs; ", 60.0));
   program.signal_group(SIGINT);
   const Ended ended = program.wait(60.0);
   EXPECT_EQ(ended.exit_code, 130) << ended.err;

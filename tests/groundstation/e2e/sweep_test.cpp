@@ -11,6 +11,11 @@
 namespace skein::e2e {
 namespace {
 
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST(Sweep, EqualsTheRunsItIsMadeOf) {
   const ScratchFolder out;
   const std::string scenario = scenario_path("rendezvous-2d");
@@ -39,15 +44,28 @@ TEST(Sweep, RequireSuccessDecidesTheExitCode) {
 TEST(Sweep, InterruptedItGoesOnFromItsJournal) {
   const ScratchFolder out;
   const std::string journal = out.path() + "/journal";
-  const std::vector<std::string> sweep{
-      binary("skein"), "sweep", scenario_path("rendezvous-2d"), "--runs", "30", "--jobs", "1", "--resume",
-      journal,         "--json"};
+  const std::string xml = out.path() + "/runs.xml";
+  const std::vector<std::string> sweep{binary("skein"),
+                                       "sweep",
+                                       scenario_path("rendezvous-2d"),
+                                       "--runs",
+                                       "30",
+                                       "--jobs",
+                                       "1",
+                                       "--resume",
+                                       journal,
+                                       "--json",
+                                       "--junit",
+                                       xml};
   const auto lines = [&] {
     std::ifstream in(journal);
     return std::count(std::istreambuf_iterator<char>(in), {}, '\n');
   };
   Program interrupted(sweep);
   for (int i = 0; i < 1000 && lines() < 4; ++i) (void)interrupted.read_until("nothing is said there", 0.02);
+  const Ended twice = run_program(sweep, 60.0);
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_EQ(twice.err, "--resume: " + journal + ": another skein goes on with it now\n");
   interrupted.signal_group(SIGINT);
   const Ended first = interrupted.wait(60.0);
   EXPECT_EQ(first.exit_code, 130) << first.err;
@@ -55,8 +73,14 @@ TEST(Sweep, InterruptedItGoesOnFromItsJournal) {
   const auto made = nlohmann::json::parse(first.out).at("rows").at(0).at("per_run");
   ASSERT_GE(made.size(), 3U);
   ASSERT_LT(made.size(), 30U);
+  EXPECT_NE(first.err.find("interrupted: " + std::to_string(made.size()) + " of 30 runs are done; the same command"),
+            std::string::npos)
+      << first.err;
+  EXPECT_NE(text_of(xml).find("<error message=\"" + std::to_string(30 - made.size()) + " of 30 runs were not made\""),
+            std::string::npos);
   const Ended second = run_program(sweep, 120.0);
   EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_NE(text_of(xml).find("tests=\"30\" failures=\"0\" errors=\"0\""), std::string::npos);
   const auto whole = nlohmann::json::parse(second.out).at("rows").at(0).at("per_run");
   ASSERT_EQ(whole.size(), 30U);
   for (std::size_t i = 0; i < made.size(); ++i) EXPECT_EQ(whole[i], made[i]);  // wall times too: not run again
@@ -66,7 +90,25 @@ TEST(Sweep, InterruptedItGoesOnFromItsJournal) {
   other.insert(other.end(), {"--set", "planner.particles=12"});
   const Ended refused = run_program(other, 60.0);
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("--resume: " + journal + ": it is the journal of another sweep"), std::string::npos);
+  EXPECT_NE(refused.err.find("--resume: " + journal + ": it is the journal of another skein sweep"), std::string::npos);
+}
+
+TEST(Sweep, WhatIsRefusedLeavesOlderFilesAlone) {
+  const ScratchFolder out;
+  const std::string xml = out.path() + "/old.xml";
+  const std::string page = out.path() + "/old.html";
+  const std::string other = out.path() + "/other";
+  for (const std::string& file : {xml, page, other}) std::ofstream(file) << "old\n";
+  const std::vector<std::string> outputs{"--runs", "1", "--junit", xml, "--report", page};
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"/nowhere.yaml"}, {scenario_path("rendezvous-2d"), "--resume", other}}) {
+    std::vector<std::string> command{binary("skein"), "sweep"};
+    command.insert(command.end(), words.begin(), words.end());
+    command.insert(command.end(), outputs.begin(), outputs.end());
+    const Ended ended = run_program(command, 60.0);
+    EXPECT_EQ(ended.exit_code, 2) << ended.err;
+    for (const std::string& file : {xml, page, other}) EXPECT_EQ(text_of(file), "old\n") << file;
+  }
 }
 
 TEST(Sweep, WritesJunitAndSaysHowFarItIs) {
@@ -77,8 +119,7 @@ TEST(Sweep, WritesJunitAndSaysHowFarItIs) {
                                   60.0);
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_EQ(ended.err, "sweep: 2 of 2 runs\n");
-  std::ifstream in(file);
-  const std::string xml{std::istreambuf_iterator<char>(in), {}};
+  const std::string xml = text_of(file);
   EXPECT_NE(xml.find("tests=\"2\" failures=\"2\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("<failure message=\"the flight did not end within world.max_steps = 10 steps\""),
             std::string::npos)

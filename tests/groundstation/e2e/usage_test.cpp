@@ -64,6 +64,11 @@ TEST(Usage, BadFlagsGiveOneLineAndExitCode2) {
                                              {"skein-agent", "--id", "257"},
                                              {"skein-agent", "--id", "1-3,2"},
                                              {"skein", "run", good, "--per-process", "0"},
+                                             {"skein-agent", "--id", "1", "--world-timeout", "nan"},
+                                             {"skein-agent", "--id", "1", "--world-timeout", "\xff"},
+                                             {"skein-simworld", good, "--settle-time", "nan"},
+                                             {"skein-simworld", good, "--settle-time", "-1"},
+                                             {"skein-simworld", good, "--realtime", "nan"},
                                              {"skein-simworld"},
                                              {"skein-simworld", good, "--fault", "kill:2@plan:3"}}) {
     std::vector<std::string> arguments{binary(flags[0])};

@@ -156,6 +156,7 @@ TEST_F(Verbs, EachFailureHasItsExitCodeAndOneLine) {
     SCOPED_TRACE(testing::PrintToString(row.arguments) + "\n" + ended.err);
     EXPECT_EQ(ended.exit_code, row.exit_code);
     EXPECT_THAT(ended.err, HasSubstr(filled(row.text)));
+    EXPECT_LT(ended.err.size(), 1000U);
     if (row.says == Says::OneLine) {
       EXPECT_EQ(std::ranges::count(ended.err, '\n'), 1);
     }

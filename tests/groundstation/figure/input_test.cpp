@@ -6,9 +6,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "groundstation/record/recording.hpp"
+#include "groundstation/record/tap.hpp"
 #include "simworld/report/report.hpp"
+#include "tests/groundstation/mcap/rewritten.hpp"
 #include "tests/groundstation/record/recorded.hpp"
 
 namespace skein::figure {
@@ -57,6 +60,38 @@ TEST_F(InputTest, ACutRecordingIsDrawnUpToThereAndSaysSo) {
   const auto input = std::get<RunInput>(read_input(write("a.mcap", bytes)));
   EXPECT_FALSE(input.data.vehicles.front().flown.empty());
   EXPECT_THAT(input.notes, Contains(HasSubstr("the file is not whole")));
+}
+
+TEST_F(InputTest, SamplesThatCannotBeReadAreLeftOutAndCounted) {
+  const mcap::Bytes whole = tests::record(tests::small_scenario("small", 7), {}).file;
+  for (const auto& [count, note] : {std::pair{1, "1 sample cannot be read and is left out"},
+                                    std::pair{2, "2 samples cannot be read and are left out"}}) {
+    const auto cut = [left = count](std::size_t, const std::string& topic, mcap::Bytes& payload) mutable {
+      if (topic == "skein/beacon" && left-- > 0) payload.resize(5);
+    };
+    const std::string file = write("bad.mcap", text_of(mcap::tests::rewritten(whole, cut)));
+    EXPECT_THAT(std::get<RunInput>(read_input(file)).notes, ElementsAre(note));
+  }
+}
+
+TEST_F(InputTest, ARecordingWhoseEndWasNotHeardSaysSo) {
+  const Scenario scenario = tests::small_scenario("small", 7);
+  for (const char* end_heard : {"false", "true"}) {
+    mcap::Bytes file;
+    Recording recording([&](mcap::ByteView bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); },
+                        {"attached", "geese", &scenario, false});
+    InProcessOptions options;
+    options.tap = tap_into([&](const TakenSample& sample) { recording.add(sample); });
+    (void)run_in_process(scenario, options);
+    recording.finish({{"lost", "0"}, {"end_heard", end_heard}});
+    const auto input = std::get<RunInput>(read_input(write("a.mcap", text_of(file))));
+    const auto note = Contains(HasSubstr("the end was not heard"));
+    if (end_heard == std::string("false")) {
+      EXPECT_THAT(input.notes, note);
+    } else {
+      EXPECT_THAT(input.notes, ::testing::Not(note));
+    }
+  }
 }
 
 TEST_F(InputTest, OfABrokenFileNothingIsDrawn) {

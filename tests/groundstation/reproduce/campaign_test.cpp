@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -114,12 +117,41 @@ TEST(Campaigns, StoppedTheyKeepWhatWasRun) {
   EXPECT_FALSE(combination_of(results, "another", {}));
 }
 
+TEST(Campaigns, WhatAJournalHasIsNotRunAgain) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("skein-journals-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  std::vector<Campaign> campaigns = campaigns_of(Paper::Rendezvous);
+  campaigns.resize(2);
+  CampaignOptions options = with(1, 1);
+  options.journals = folder;
+  options.stop = [asked = 0]() mutable { return ++asked == 3; };
+  EXPECT_FALSE(run_campaigns(campaigns, options).complete);
+  options.stop = {};
+  std::size_t made = 0;
+  double first_before = 0.0;
+  options.on_progress = [&](const Campaign&, std::size_t, std::size_t, double, double before) {
+    if (made++ == 0) first_before = before;
+  };
+  const Results results = run_campaigns(campaigns, options);
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(made, 5U) << "of eight runs";
+  EXPECT_GT(first_before, 0.0);
+  const Results whole = run_campaigns(campaigns, with(1, 1));
+  ASSERT_EQ(results.campaigns.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(timeless(results.campaigns[i].table).dump(), timeless(whole.campaigns[i].table).dump());
+  }
+}
+
 TEST(Campaigns, ProgressEndsAtTheWhole) {
   std::vector<Campaign> campaigns = campaigns_of(Paper::Rendezvous);
   campaigns.resize(2);
   CampaignOptions options = with(1, 1);
   std::vector<double> shares;
-  options.on_progress = [&](const Campaign&, std::size_t, std::size_t, double share) { shares.push_back(share); };
+  options.on_progress = [&](const Campaign&, std::size_t, std::size_t, double share, double) {
+    shares.push_back(share);
+  };
   const Results results = run_campaigns(campaigns, options);
   EXPECT_TRUE(results.complete);
   ASSERT_EQ(shares.size(), 8U);

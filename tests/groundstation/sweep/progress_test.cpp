@@ -42,5 +42,13 @@ TEST(Progress, NoneSaysNothing) {
   EXPECT_EQ(out.str(), "");
 }
 
+TEST(InterruptedText, SaysHowFarItIsAndHowItGoesOn) {
+  EXPECT_EQ(interrupted_text(3, 30, "j"),
+            "interrupted: 3 of 30 runs are done; the same command with --resume j goes on with them");
+  EXPECT_EQ(
+      interrupted_text(3, 30, ""),
+      "interrupted: 3 of 30 runs are done; to be able to go on with them a job needs --resume FILE from its start");
+}
+
 }  // namespace
 }  // namespace skein

@@ -53,6 +53,20 @@ TEST(Events, ACommandIsTold) {
   EXPECT_EQ(events[0].reason, "1.0 -2.0 3.0");
 }
 
+TEST(Events, AnInjectionIsToldByItsAnswer) {
+  const Tick before = tick_at(5, Phase::Flying, 4);
+  Tick now = tick_at(6, Phase::Flying, 5);
+  now.answers = {{7, OrderResult::Accepted, 6, {}, ""}, {8, OrderResult::Refused, 0, {}, "no"}};
+  ASSERT_EQ(changes(&before, now).size(), 1U);
+  EXPECT_EQ(changes(&before, now)[0].what, "injection");
+  now.orders = {{7, 2, OrderKind::Hold, Vec3::Zero(), 0.0}};
+  EXPECT_EQ(changes(&before, now)[0].what, "hold");
+  EXPECT_EQ(changes(&before, now).size(), 1U);
+  Tick later = tick_at(7, Phase::Flying, 6);
+  later.answers = now.answers;
+  EXPECT_TRUE(changes(&now, later).empty());
+}
+
 TEST(Events, TheOutcomeHasItsReason) {
   const Tick before = tick_at(8, Phase::Flying, 7);
   Tick last = tick_at(9, Phase::Finished, 7);

@@ -22,7 +22,7 @@ TEST(StepClock, TellsTheUsualPeriodAndThePace) {
   EXPECT_FALSE(clock.period_s());
   feed(clock, 6, 20, 0.1);
   EXPECT_NEAR(*clock.period_s(), 0.1, 1e-9);
-  EXPECT_NEAR(clock.times_real_time(), 5.0, 1e-6);
+  EXPECT_NEAR(clock.times_real_time().value(), 5.0, 1e-6);
   EXPECT_EQ(clock.opened_ns(20), std::int64_t{2000000000});
   EXPECT_FALSE(clock.opened_ns(99));
 }
@@ -36,7 +36,7 @@ TEST(StepClock, AMissedTickIsNoLongPeriod) {
 TEST(StepClock, OfSlowStepsThePaceIsThatOfTheLastTwo) {
   StepClock clock;
   feed(clock, 1, 5, 4.0);
-  EXPECT_NEAR(clock.times_real_time(), 0.125, 1e-9);
+  EXPECT_NEAR(clock.times_real_time().value(), 0.125, 1e-9);
 }
 
 TEST(StepClock, WaitingHasNoPace) {
@@ -45,7 +45,13 @@ TEST(StepClock, WaitingHasNoPace) {
   tick.phase = Phase::Waiting;
   clock.take(tick, 0);
   clock.take(tick, 500000000);
-  EXPECT_EQ(clock.times_real_time(), 0.0);
+  EXPECT_FALSE(clock.times_real_time());
+}
+
+TEST(StepClock, WhatNobodyStampedHasNoPace) {
+  StepClock clock;
+  feed(clock, 1, 20, 0.0);
+  EXPECT_FALSE(clock.times_real_time());
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(SwarmWatch, TellsEachAgentsFigures) {
   const SwarmView view = watch.view(1.25, {});
   EXPECT_EQ(view.phase, Phase::Flying);
   EXPECT_EQ(view.live, 2U);
-  EXPECT_NEAR(view.times_real_time, 5.0, 1e-6);
+  EXPECT_NEAR(view.times_real_time.value(), 5.0, 1e-6);
   const AgentView& agent = agent_in(view, 2);
   EXPECT_TRUE(agent.heard);
   EXPECT_TRUE(agent.live);
@@ -113,6 +113,51 @@ TEST(SwarmWatch, CostsFollowTheGenerationsAndBeginAgainWithANewSearch) {
   again.cost = 50.0;
   watch.take(at(again), 0.6);
   EXPECT_EQ(agent_in(watch.view(1.0, {}), 1).costs.size(), 1U);
+}
+
+// Once the search is over, the paths are fitted to each other, and charged for margins that the flight does not have.
+TEST(SwarmWatch, TheCostOfAPlanIsThatOfItsSearch) {
+  SwarmWatch watch;
+  watch.take(at(two_fly_east()), 0.0);
+  EXPECT_FALSE(agent_in(watch.view(0.0, {}), 1).cost);
+  const auto say = [&](std::uint32_t round, AgentMode mode, std::uint32_t generation, double cost) {
+    Beacon beacon = beacon_of(1, round, mode);
+    beacon.generation = generation;
+    beacon.cost = cost;
+    watch.take(at(beacon), 0.1 * round);
+  };
+  say(1, AgentMode::Planning, 50, 17.5);
+  say(2, AgentMode::Planning, 50, 100017.5);
+  say(3, AgentMode::Ready, 50, 100017.5);
+  say(4, AgentMode::Flying, 50, 100017.5);
+  const SwarmView flying = watch.view(1.0, {});
+  EXPECT_EQ(agent_in(flying, 1).cost, 17.5);
+  EXPECT_EQ(agent_in(flying, 1).costs, (std::vector<CostPoint>{{50, 17.5}}));
+  say(5, AgentMode::Holding, 0, 0.0);
+  const SwarmView holding = watch.view(1.0, {});
+  EXPECT_EQ(agent_in(holding, 1).cost, 17.5);
+  EXPECT_EQ(agent_in(holding, 1).generation, 50U);
+}
+
+TEST(SwarmWatch, WhoFliesElsewhereByCommandHasNoDistanceToGo) {
+  SwarmWatch watch;
+  watch.take(at(two_fly_east()), 0.0);
+  watch.take(at(beacon_of(1, 1, AgentMode::Holding, 1, {10.0, 0.0, 0.0})), 0.1);
+  EXPECT_NEAR(agent_in(watch.view(1.0, {}), 1).to_go_m.value(), 9990.0, 1e-9);
+  watch.take(at(beacon_of(1, 2, AgentMode::GoingTo, 2, {10.0, 0.0, 0.0})), 0.2);
+  EXPECT_FALSE(agent_in(watch.view(1.0, {}), 1).to_go_m);
+}
+
+TEST(SwarmWatch, ASeparationIsOfOneRound) {
+  SwarmWatch watch;
+  watch.take(at(two_fly_east()), 0.0);
+  watch.take(at(tick_at(1, Phase::Flying, 1)), 0.0);
+  watch.take(at(beacon_of(1, 1, AgentMode::Flying, 1, {10.0, 0.0, 0.0})), 0.1);
+  watch.take(at(beacon_of(2, 1, AgentMode::Flying, 1, {10.0, 500.0, 0.0})), 0.1);
+  watch.take(at(beacon_of(1, 2, AgentMode::Flying, 2, {10.0, 100.0, 0.0})), 0.2);
+  EXPECT_NEAR(agent_in(watch.view(0.2, {}), 1).separation_m.value(), 500.0, 1e-9) << "agent 2 is not there yet";
+  watch.take(at(beacon_of(2, 2, AgentMode::Flying, 2, {10.0, 550.0, 0.0})), 0.3);
+  EXPECT_NEAR(agent_in(watch.view(0.3, {}), 2).separation_m.value(), 450.0, 1e-9);
 }
 
 TEST(SwarmWatch, NearnessIsAnEventOnce) {

@@ -91,7 +91,9 @@ class World {
 
   Outcome run() {
     StateHash hash;
-    for (std::uint32_t k = 1; k <= conditions_.most_decisions && !ended(); ++k) {
+    for (std::uint32_t k = 1; k <= conditions_.most_decisions && !ended(k); ++k) {
+      for (const Told& told : conditions_.told)
+        if (told.decision == k) tell(told);
       for (Vehicle& v : vehicles_)
         if (!v.landed) sense(v);
       decide(k);
@@ -104,7 +106,17 @@ class World {
   }
 
  private:
-  [[nodiscard]] bool ended() const {
+  void tell(const Told& told) {
+    Vehicle& v = vehicles_.at(told.id - 1);
+    if (v.landed) return;
+    if (told.what == Told::What::Hold) v.navigator->hold();
+    if (told.what == Told::What::Resume) v.navigator->resume();
+    if (told.what == Told::What::Goto) v.navigator->go_to(told.point_m, told.speed_mps);
+  }
+
+  [[nodiscard]] bool ended(std::uint32_t k) const {
+    const auto to_come = [&](const Told& told) { return told.decision >= k; };
+    if (std::any_of(conditions_.told.begin(), conditions_.told.end(), to_come)) return false;
     return std::all_of(outcome_.flights.begin(), outcome_.flights.end(),
                        [](const Flight& f) { return f.status != NavStatus::Flying; });
   }

@@ -23,6 +23,16 @@ struct Layout {
 /// A plane of rows, north first: '#' occupied, 'a'.. starts, 'A'.. goals of the same UAV, else free.
 [[nodiscard]] Layout drawn(const std::vector<std::string>& rows, double cell_m);
 
+/// What an operator tells a navigator before a decision.
+struct Told {
+  enum class What : std::uint8_t { Hold, Goto, Resume };
+  std::uint32_t decision = 0;
+  AgentId id = 0;
+  What what = What::Hold;
+  Vec3 point_m = Vec3::Zero();
+  double speed_mps = 10.0;
+};
+
 struct Conditions {
   std::string planner = "peach3d";
   double sensor_m = 24.0;
@@ -34,6 +44,7 @@ struct Conditions {
   double loss = 0.0;
   std::uint64_t seed = 1;
   std::uint32_t most_decisions = 2000;
+  std::vector<Told> told;
 };
 
 struct Flight {

@@ -173,5 +173,31 @@ TEST(TransitRun, IsGivenUpAfterTheMostSteps) {
   EXPECT_EQ(run.verdict().reason, "the flight did not end within world.max_steps = 4 steps");
 }
 
+TEST(TransitRun, RefusesOrdersThatNobodyCanObey) {
+  skein::Run run(test::kRun, two(90, 24), {}, false);
+  Tick tick = decide(run, run.begin(test::roster_of(2)), AgentMode::Ready);
+  const auto result = [&](OrderKind kind, AgentId agent, const Vec3& to_m = Vec3::Zero(), double speed_mps = 0.0) {
+    const auto objection = run.objection({1, agent, kind, to_m, speed_mps}, {});
+    return objection ? objection->result : OrderResult::Accepted;
+  };
+  for (const OrderKind kind : {OrderKind::Hold, OrderKind::Resume, OrderKind::Land}) {
+    EXPECT_EQ(result(kind, 1), OrderResult::Accepted);
+    EXPECT_EQ(result(kind, kAllAgents), OrderResult::Accepted);
+  }
+  EXPECT_EQ(result(OrderKind::Goto, 1, Vec3(20, 20, 6)), OrderResult::Accepted);
+  EXPECT_EQ(result(OrderKind::Goto, kAllAgents, Vec3(20, 20, 6)), OrderResult::Refused);
+  EXPECT_EQ(result(OrderKind::Goto, 1, Vec3(20, 20, 6), 11.0), OrderResult::Refused);
+  for (const Vec3& outside : {Vec3(-1, 20, 6), Vec3(20, 40, 6), Vec3(20, 20, 3), Vec3(20, 20, 8)}) {
+    EXPECT_EQ(result(OrderKind::Goto, 1, outside), OrderResult::Refused) << outside.transpose();
+  }
+  EXPECT_EQ(run.objection({1, 1, OrderKind::Goto, Vec3::Zero(), 0.0}, {})->text,
+            "the point is outside the area: x 0 to 80, y 0 to 40, z 4 to 8 m");
+  tick = decide(run, tick, AgentMode::Flying, {},
+                [](Beacon& beacon) { beacon.mode = beacon.agent == 1 ? AgentMode::Landed : AgentMode::Flying; });
+  EXPECT_EQ(tick.phase, Phase::Flying);
+  EXPECT_EQ(result(OrderKind::Hold, 1), OrderResult::NotLive);
+  EXPECT_EQ(result(OrderKind::Hold, 2), OrderResult::Accepted);
+}
+
 }  // namespace
 }  // namespace skein

@@ -13,6 +13,7 @@ namespace {
 using test::Stage;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using State = WorldSession::State;
 
 Command command(std::uint64_t id, OrderKind kind, AgentId agent = kAllAgents, double deadline_s = 5.0) {
@@ -104,6 +105,64 @@ TEST(SessionSteering, RefusesWithAReason) {
   EXPECT_EQ(answer_in(tick, 6).result, OrderResult::NoLauncher);
   EXPECT_EQ(answer_in(tick, 7).result, OrderResult::UnknownAgent);
   EXPECT_EQ(answer_in(tick, 8).result, OrderResult::Refused);
+}
+
+// A round waits for who is silent: not for who is to be ended anyway.
+TEST(SessionSteering, AnAbortDoesNotWaitForWhoIsSilent) {
+  Stage stage(2);
+  const Tick first = take_off(stage);
+  stage.say(test::closing(1, first.round, AgentMode::Flying));
+  stage.until(stage.now_s + 1.0);
+  stage.say(command(9, OrderKind::Abort));
+  stage.until(stage.now_s + 1.5);
+  const Tick last = stage.last_tick();
+  EXPECT_EQ(last.phase, Phase::Finished);
+  EXPECT_EQ(answer_in(last, 9).result, OrderResult::Accepted);
+  EXPECT_THAT(stage.session.outcome().reason, HasSubstr("aborted by command"));
+}
+
+TEST(SessionSteering, ARestartOfWhoIsSilentIsDoneAtOnceAndOnlyThat) {
+  test::FakeControl control;
+  Stage stage(3, {}, &control);
+  const Tick first = take_off(stage);
+  stage.say(test::closing(1, first.round, AgentMode::Flying));
+  stage.say(injection(9, InjectionKind::Restart, 2));
+  stage.until(stage.now_s + 3.0);
+  EXPECT_THAT(control.restarted, IsEmpty()) << "agent 3 is silent too, and nobody said that it is to end";
+  EXPECT_TRUE(stage.session.silent_for(0.5, stage.now_s) == std::vector<AgentId>{3});
+  stage.say(test::closing(3, first.round, AgentMode::Flying));
+  stage.at(stage.now_s);
+  EXPECT_THAT(control.restarted, ElementsAre(2U));
+}
+
+TEST(SessionSteering, ACommandThatEndsNobodyWaitsForWhoIsSilent) {
+  test::FakeControl control;
+  Stage stage(2, {}, &control);
+  const Tick first = take_off(stage);
+  stage.say(test::closing(1, first.round, AgentMode::Flying));
+  stage.say(command(8, OrderKind::Hold));
+  stage.say(injection(9, InjectionKind::Kill, 1));
+  stage.say(injection(10, InjectionKind::Pause, 2));
+  stage.until(stage.now_s + 4.0);
+  EXPECT_EQ(stage.session.silent_for(0.5, stage.now_s), std::vector<AgentId>{2});
+}
+
+TEST(SessionSteering, NobodyIsSentUnderTheGround) {
+  Scenario level;
+  level.mission = test::abreast(2);
+  level.mission.terrain = Terrain{};
+  Stage stage(level);
+  const Tick first = take_off(stage);
+  Command down = command(1, OrderKind::Goto, 1);
+  down.order.to_m = Vec3(10.0, 20.0, -0.5);
+  stage.say(down);
+  Command up = command(2, OrderKind::Goto, 2);
+  up.order.to_m = Vec3(10.0, 20.0, 0.5);
+  stage.say(up);
+  const Tick tick = stage.round(first, AgentMode::Flying);
+  EXPECT_EQ(answer_in(tick, 1).result, OrderResult::Refused);
+  EXPECT_EQ(answer_in(tick, 1).text, "that point is 0.5 m under the ground");
+  EXPECT_EQ(answer_in(tick, 2).result, OrderResult::Accepted);
 }
 
 TEST(SessionSteering, WhatWaitsPastItsDeadlineExpires) {
