@@ -12,9 +12,9 @@ if(SKEIN_CCACHE)
     RESULT_VARIABLE cache_status ERROR_QUIET)
 endif()
 if(SKEIN_CCACHE AND cache_status EQUAL 0)
-  # one cache for every clone and for the image of deploy/Containerfile
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
-    CCACHE_COMPILERCHECK=content ${SKEIN_CCACHE})
+  # one cache for every clone and for the image of deploy/Containerfile, where no LANG is set: ccache takes it in
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env LANG=C.UTF-8 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}
+    CCACHE_NOHASHDIR=1 CCACHE_COMPILERCHECK=content ${SKEIN_CCACHE})
 endif()
 
 # Every object of ours, generated code included: the same arithmetic on every machine (docs/architecture.md).
