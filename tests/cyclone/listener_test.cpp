@@ -193,8 +193,17 @@ TEST(Cyclone, DecodesWhatIsCommandedAndInjected) {
   expect_as_recorded(heard, {"skein/command", "skein/inject"});
   EXPECT_EQ(heard.by_cyclone.at("skein/command").front().at("agent"), 2);
   const json& obstacle = heard.by_cyclone.at("skein/inject").front();
-  EXPECT_GT(obstacle.at("deadline_s"), 0.0) << obstacle;
-  EXPECT_LE(obstacle.at("deadline_s"), 60.0) << obstacle;
+  for (const char* topic : {"skein/command", "skein/inject"}) {
+    const json& sample = heard.by_cyclone.at(topic).front();
+    EXPECT_GT(sample.at("deadline_s"), 0.0) << sample;
+    EXPECT_LE(sample.at("deadline_s"), 60.0) << sample;
+    for (const json& copy : heard.recorded.at(topic)) {
+      const bool same = comparable(copy.at("head").at("stamp_ns")) == comparable(sample.at("head").at("stamp_ns"));
+      if (same) {
+        EXPECT_EQ(sample.at("deadline_s"), copy.at("deadline_s"));
+      }
+    }
+  }
   EXPECT_EQ(obstacle.at("radius_m"), 3.0) << obstacle;
 }
 

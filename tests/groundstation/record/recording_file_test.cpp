@@ -1,15 +1,16 @@
-// A recording replaces a file when there is something to record, and never one that is read.
+// A recording replaces a file when there is something to record.
 #include "groundstation/record/recording_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "groundstation/mcap/reader.hpp"
 #include "idl/convert/cdr.hpp"
 #include "idl/convert/convert.hpp"
+#include "tests/simworld/checkpoint/scratch.hpp"
 
 namespace skein {
 namespace {
@@ -18,13 +19,7 @@ namespace fs = std::filesystem;
 
 class RecordingFileTest : public ::testing::Test {
  protected:
-  RecordingFileTest() {
-    std::string pattern = (fs::temp_directory_path() / "recording-file-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~RecordingFileTest() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
   [[nodiscard]] std::string existing(const std::string& name) const {
     std::ofstream(path(name)) << std::string(5000, 'x');
     return path(name);
@@ -44,7 +39,7 @@ class RecordingFileTest : public ::testing::Test {
   }
 
  private:
-  fs::path folder_;
+  test::Scratch folder_;
 };
 
 TEST_F(RecordingFileTest, WithoutASampleAFileStaysAsItIs) {
